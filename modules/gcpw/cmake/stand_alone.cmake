@@ -1,0 +1,50 @@
+# The module on its own: target gcpw::gcpw, installed so that find_package(gcpw) finds it.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(gcpw_opencv_version 4.5.1)
+set(gcpw_opencv_modules core imgproc features2d calib3d video stitching ximgproc)
+find_package(OpenCV ${gcpw_opencv_version} REQUIRED COMPONENTS ${gcpw_opencv_modules})
+find_package(Eigen3 3.4 REQUIRED CONFIG)
+get_target_property(gcpw_eigen_dirs Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+
+set(gcpw_public_libs opencv_core opencv_imgproc opencv_features2d opencv_stitching)
+set(gcpw_private_libs opencv_calib3d opencv_video opencv_ximgproc)
+
+# Compiled once. The library is made of these objects, and so are the tests, which look at private classes as well.
+file(GLOB_RECURSE gcpw_sources CONFIGURE_DEPENDS src/*.cpp)
+add_library(gcpw_objects OBJECT ${gcpw_sources})
+target_compile_features(gcpw_objects PUBLIC cxx_std_17)
+target_include_directories(gcpw_objects PUBLIC include src)
+target_include_directories(gcpw_objects SYSTEM PUBLIC ${gcpw_eigen_dirs})
+target_link_libraries(gcpw_objects PUBLIC ${gcpw_public_libs} ${gcpw_private_libs})
+set_target_properties(gcpw_objects PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
+if(BUILD_SHARED_LIBS)
+    target_compile_definitions(gcpw_objects PRIVATE CVAPI_EXPORTS)
+endif()
+
+add_library(gcpw $<TARGET_OBJECTS:gcpw_objects>)
+add_library(gcpw::gcpw ALIAS gcpw)
+target_include_directories(gcpw PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(gcpw PUBLIC ${gcpw_public_libs} PRIVATE ${gcpw_private_libs})
+set_target_properties(gcpw PROPERTIES
+    LINKER_LANGUAGE CXX
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+
+set(gcpw_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/gcpw")
+install(TARGETS gcpw EXPORT gcpw)
+install(DIRECTORY include/opencv2 DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
+install(EXPORT gcpw NAMESPACE gcpw:: FILE gcpwTargets.cmake DESTINATION "${gcpw_config_dir}")
+configure_package_config_file(cmake/gcpwConfig.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/gcpwConfig.cmake"
+    INSTALL_DESTINATION "${gcpw_config_dir}")
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/gcpwConfigVersion.cmake"
+    COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/gcpwConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/gcpwConfigVersion.cmake"
+    DESTINATION "${gcpw_config_dir}")

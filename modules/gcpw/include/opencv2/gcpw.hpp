@@ -1,0 +1,25 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_HPP
+#define OPENCV_GCPW_HPP
+
+/**
+@defgroup gcpw Generalized Content-Preserving Warps for image stitching
+
+Aligns overlapping photographs by a mesh and a local affine colour model of each image, estimated together
+@cite chen2018gcpw.
+
+Coordinates: a pixel centre has integer coordinates. The *rest frame* of an image is its own pixels; the *canvas* is the
+panorama. Estimation happens at the working resolution (Params::workMegapix), rendering at full resolution.
+
+| header | holds |
+|---|---|
+| params.hpp | Method, Params: every constant |
+| alignment.hpp | Alignment: meshes, colours, report |
+| pair.hpp | alignPair, stitchPair: two photographs |
+*/
+
+#include "opencv2/gcpw/alignment.hpp"
+#include "opencv2/gcpw/pair.hpp"
+#include "opencv2/gcpw/params.hpp"
+
+#endif

@@ -1,0 +1,132 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_ALIGNMENT_HPP
+#define OPENCV_GCPW_ALIGNMENT_HPP
+
+#include <string>
+#include <vector>
+#include "opencv2/gcpw/params.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+//! @addtogroup gcpw
+//! @{
+
+/// How an alignment ended.
+enum class Status
+{
+    OK = 0,          //!< refined as asked
+    ROUGH = 1,       //!< the refinement had no answer; the rough alignment is returned (see Report::message)
+    NO_ALIGNMENT = 2, //!< not even a rough alignment was found
+    CANCELLED = 3    //!< the progress callback said stop; the rough alignment is returned
+};
+
+/// Energy of each term, weighted as in eq. totalfunction.
+struct CV_EXPORTS TermEnergies
+{
+    double photometric = 0;
+    double points = 0;
+    double lines = 0;
+    double dense = 0; //!< dense matches, an addition to the paper
+    double similarity = 0;
+    double color = 0;
+
+    double total() const { return photometric + points + lines + dense + similarity + color; }
+};
+
+/// What happened on one pyramid level.
+struct CV_EXPORTS LevelReport
+{
+    double scale = 1; //!< working pixels per pixel of this level
+    int iterations = 0;
+    TermEnergies start; //!< after the colours were initialised (eq. initialfunction)
+    TermEnergies end;
+    bool converged = false; //!< ended because the mesh was stable, not by the iteration limit
+};
+
+/// How well two images line up; lower is better, 0 is perfect, NaN where nothing could be compared.
+struct CV_EXPORTS Score
+{
+    double ncc = 0;  //!< 100 * RMS of 1 - NCC over 5 x 5 windows, the paper's measure
+    double zncc = 0; //!< 100 * RMS of 1 - zero-mean NCC over windows with texture in both images
+};
+
+/// What was found between two images.
+struct CV_EXPORTS PairReport
+{
+    int a = 0;
+    int b = 1;
+    int points = 0; //!< point matches used
+    int lines = 0;  //!< line matches used
+    Score before;   //!< of the rough alignment, at the working resolution
+    Score after;
+};
+
+/// Milliseconds of wall time.
+struct CV_EXPORTS Timings
+{
+    double features = 0;   //!< detection and description
+    double homography = 0; //!< matching and rough alignment
+    double align = 0;      //!< everything from the rough alignment to the final mesh and colours
+    double total = 0;
+};
+
+/// Everything worth knowing about how an alignment came about.
+struct CV_EXPORTS Report
+{
+    Status status = Status::OK;
+    std::string message; //!< empty, or why the status is not OK
+    std::vector<LevelReport> levels; //!< coarse to fine
+    std::vector<PairReport> pairs;
+    int folds = 0;                  //!< folded or flipped quads of all meshes; 0 by construction
+    double max_displacement_px = 0; //!< largest move of a vertex from the rough alignment, working pixels
+    double gain_min = 1;            //!< over all quads and channels
+    double gain_max = 1;
+    Timings timings_ms;
+};
+
+/** @brief The result of an alignment: where every image lies on the canvas, and how its colours change.
+
+Immutable. Meshes and colours are kept at the working resolution; scaling acts on pixel squares:
+work = (full + 0.5) * work_size / full_size - 0.5, on the canvas and on each image. */
+class CV_EXPORTS Alignment
+{
+public:
+    struct Image
+    {
+        Size full_size; //!< pixels of the image as it was given
+        Size work_size; //!< pixels at which its mesh is expressed
+        Mat mesh;       //!< (rows + 1) x (cols + 1), CV_64FC2: canvas position of each vertex, working pixels
+        Mat rough;      //!< the same before refinement
+        Mat color;      //!< rows x cols, CV_32FC(6): gain Y, Cr, Cb, bias Y, Cr, Cb of each quad; intensities in [0, 1]
+    };
+
+    Alignment() = default;
+    Alignment(const std::vector<Image>& images, Size2d canvas_scale, const Report& report)
+        : images_(images), canvas_scale_(canvas_scale), report_(report)
+    {
+    }
+
+    bool ok() const { return report_.status == Status::OK; }
+    int imageCount() const { return static_cast<int>(images_.size()); }
+    const Image& image(int index) const { return images_.at(static_cast<size_t>(index)); }
+
+    /// Working canvas pixels per full-resolution canvas pixel, x and y.
+    Size2d canvasScale() const { return canvas_scale_; }
+
+    const Report& report() const { return report_; }
+
+private:
+    std::vector<Image> images_;
+    Size2d canvas_scale_ = Size2d(1, 1);
+    Report report_;
+};
+
+//! @}
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

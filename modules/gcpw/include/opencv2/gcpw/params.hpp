@@ -1,0 +1,103 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_PARAMS_HPP
+#define OPENCV_GCPW_PARAMS_HPP
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+namespace cv
+{
+namespace gcpw
+{
+
+//! @addtogroup gcpw
+//! @{
+
+/** @brief Which terms of the energy are used. Each method is the next one's special case. */
+enum class Method
+{
+    GLOBAL = 0, //!< the rough alignment alone
+    CPW = 1,    //!< point matches and the similarity term @cite liu2009content
+    DFW = 2,    //!< CPW and line matches @cite li2015dual
+    MFW = 3,    //!< DFW and pixels, colours taken as equal @cite lin2017direct
+    GCPW = 4    //!< MFW and a local colour model, estimated together with the mesh
+};
+
+/** @brief Every constant of the method. Defaults are measured (see doc/results.md); paper() has the paper's values.
+
+Lengths are pixels of the working resolution (workMegapix), intensities lie in [0, 1]. */
+struct CV_EXPORTS_W_SIMPLE Params
+{
+    CV_WRAP Params() {}
+
+    /// The constants of the paper and none of the additions: exactly its section 2.
+    CV_WRAP static Params paper();
+
+    /// Throws cv::Exception (StsOutOfRange) that names the first member out of its range, its value and the range.
+    CV_WRAP void check() const;
+
+    /** @brief Sets a numeric member by its name.
+    @throws cv::Exception StsBadArg if there is no such member; the message lists all names */
+    CV_WRAP void set(const std::string& name, double value);
+
+    /// Value of a numeric member by its name; throws like set().
+    CV_WRAP double get(const std::string& name) const;
+
+    /// Names of all numeric members, in the order of their declaration.
+    CV_WRAP static std::vector<std::string> names();
+
+    //! @name What is estimated
+    //! @{
+    CV_PROP_RW Method method = Method::GCPW;
+    CV_PROP_RW int meshCols = 32;         ///< quads across an image, 2..256
+    CV_PROP_RW int meshRows = 32;         ///< quads down an image, 2..256
+    CV_PROP_RW double workMegapix = 0.6;  ///< images are scaled down to this area for the estimation, > 0
+    CV_PROP_RW int referenceImage = -1;   ///< several images: the one that stays unwarped; -1 chooses the most central one
+    //! @}
+
+    //! @name Weights of the terms (eq. totalfunction)
+    //! @{
+    CV_PROP_RW double photometricWeight = 100;    ///< lambda_1, >= 0
+    CV_PROP_RW double geometricWeight = 1;        ///< lambda_2, >= 0
+    CV_PROP_RW double similarityWeight = 0.2;     ///< lambda_3, > 0
+    CV_PROP_RW double colorSmoothnessWeight = 100; ///< lambda_4, > 0
+    CV_PROP_RW double colorRestWeight = 1;        ///< weight of E_r, > 0
+    //! @}
+
+    //! @name Sampling
+    //! @{
+    CV_PROP_RW int sampleStep = 3;       ///< px between photometric samples, on every pyramid level, 1..64
+    CV_PROP_RW double lineStep = 5;      ///< px between samples of a line, > 0
+    CV_PROP_RW int pyramidLevels = 3;    ///< Gaussian pyramid levels, 1..8
+    //! @}
+
+    //! @name Iteration
+    //! @{
+    CV_PROP_RW int maxIterations = 10;   ///< per pyramid level, 1..1000
+    CV_PROP_RW double stopMotion = 0.05; ///< px of the level: a level ends when no vertex moves farther, > 0
+    //! @}
+
+    //! @name Additions to the paper (0 switches each off)
+    //! @{
+    CV_PROP_RW double robustScale = 0;    ///< Geman-McClure scale of the photometric residual, in robust standard deviations
+    CV_PROP_RW double matchScale = 4;     ///< px: Geman-McClure scale of point and line matches
+    CV_PROP_RW double contrastFloor = 0;  ///< intensities: samples count by 1 / (local variance + floor^2)
+    CV_PROP_RW double denseWeight = 0;    ///< weight of one dense (optical flow) match, every 4 px
+    CV_PROP_RW double minQuadArea = 0.1;  ///< least area of a quad's corner, as a share of its rough area, (0, 0.9]
+    //! @}
+
+    //! @name Matching
+    //! @{
+    CV_PROP_RW double contrastThreshold = 0.005; ///< of SIFT; OpenCV's default is 0.04
+    CV_PROP_RW double matchRatio = 0.85;         ///< ratio test of the guided matching, (0, 1)
+    CV_PROP_RW double featureMegapix = 2;        ///< images are scaled down to this area for keypoints and lines, > 0
+    //! @}
+};
+
+//! @}
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,95 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "energy/joint_system.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+JointSystem::JointSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& mesh_held,
+                         const std::vector<bool>& color_held)
+    : lattices_(lattices), color_held_(color_held), meshes_(lattices, mesh_held), colors_(lattices, color_held)
+{
+}
+
+void JointSystem::setZero()
+{
+    meshes_.setZero();
+    colors_.clearSamples();
+    colored_.clear();
+    eliminated_ = false;
+}
+
+void JointSystem::addRow(QuadId quad, const QuadRow& row, double residual, double weight)
+{
+    meshes_.addRow(quad, row, residual, weight);
+}
+
+void JointSystem::addRow(QuadId a, const QuadRow& row_a, QuadId b, const QuadRow& row_b, double residual, double weight)
+{
+    meshes_.addRow(a, row_a, b, row_b, residual, weight);
+}
+
+void JointSystem::addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy)
+{
+    meshes_.addBlock(quad, block, gradient, energy);
+}
+
+void JointSystem::addColored(QuadId quad, const ColoredBlock& block)
+{
+    colored_.push_back({quad, block});
+}
+
+void JointSystem::addCross(QuadId a, QuadId b, const QuadBlock& block)
+{
+    meshes_.addCross(a, b, block);
+}
+
+bool JointSystem::solveColors(std::vector<ColorGrid>& colors)
+{
+    colors_.clearSamples();
+    for (const Colored& item : colored_)
+        colors_.addSamples(item.quad, item.block, colors[item.quad.image].quad(item.quad.cell));
+    return colors_.solve(colors);
+}
+
+SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshStep& step)
+{
+    if (!eliminated_)
+    {
+        for (const Colored& item : colored_)
+        {
+            ColoredBlock block = item.block;
+            if (!color_held_[item.quad.image])
+                colors_.eliminate(item.quad, colors, block);
+            meshes_.addColored(item.quad, block);
+        }
+        eliminated_ = true;
+    }
+    return meshes_.solve(step);
+}
+
+bool JointSystem::solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors)
+{
+    colors_.clearSamples();
+    for (const Colored& item : colored_)
+    {
+        if (color_held_[item.quad.image])
+            continue;
+        ColoredBlock moved = item.block;
+        const std::vector<Point2d>& shift = step[item.quad.image];
+        for (int i = 0; !shift.empty() && i < 8; ++i)
+        {
+            const Point2d vertex = shift[lattices_[item.quad.image].vertexOf(item.quad.cell, i >> 1)];
+            const double d = (i & 1) ? vertex.y : vertex.x;
+            for (int c = 0; c < CHANNELS; ++c)
+                for (int k = 0; k < 2; ++k)
+                    moved.color_gradient[c][k] += item.block.mesh_color[i][2 * c + k] * d;
+        }
+        colors_.addSamples(item.quad, moved, colors[item.quad.image].quad(item.quad.cell));
+    }
+    return colors_.solve(colors);
+}
+
+} // namespace gcpw
+} // namespace cv

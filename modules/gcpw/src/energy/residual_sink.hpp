@@ -1,0 +1,78 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_RESIDUAL_SINK_HPP
+#define OPENCV_GCPW_RESIDUAL_SINK_HPP
+
+#include <array>
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// A quad of the mesh of an image.
+struct QuadId
+{
+    int image = -1;
+    int cell = -1;
+};
+
+/// Derivatives by the eight vertex coordinates of one quad: x0 y0 x1 y1 x2 y2 x3 y3, corners in lattice order.
+typedef std::array<double, 8> QuadRow;
+
+/// Normal block over the eight vertex coordinates of one quad; only the upper triangle (row <= column) is read.
+typedef std::array<std::array<double, 8>, 8> QuadBlock;
+
+/** @brief Everything the colour-carrying samples of one quad say, already summed up (normal form).
+
+Colour unknowns are ordered gain, bias per channel: six numbers. Mesh unknowns as in QuadRow. */
+struct ColoredBlock
+{
+    QuadBlock mesh_mesh{};                                 ///< upper triangle
+    QuadRow mesh_gradient{};                               ///< J^T r
+    std::array<std::array<double, 6>, 8> mesh_color{};     ///< J_mesh^T J_color
+    std::array<std::array<double, 3>, 3> color_color{};    ///< per channel: gain-gain, gain-bias, bias-bias
+    std::array<std::array<double, 2>, 3> color_gradient{}; ///< per channel: J_color^T r
+    double energy = 0;
+    int samples = 0;
+};
+
+/** @brief Where terms pour what they know: weighted squared residuals, as rows or as small summed blocks.
+
+A term never learns what becomes of them. Rows of a moving image are dropped by the receiver if that image is held. */
+class ResidualSink
+{
+public:
+    virtual ~ResidualSink() {}
+
+    /// weight * (residual + row . d)^2
+    virtual void addRow(QuadId quad, const QuadRow& row, double residual, double weight) = 0;
+
+    /// weight * (residual + row_a . d_a + row_b . d_b)^2
+    virtual void addRow(QuadId a, const QuadRow& row_a, QuadId b, const QuadRow& row_b, double residual,
+                        double weight) = 0;
+
+    /// energy + 2 gradient . d + d^T block d
+    virtual void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) = 0;
+
+    /// The same with the colour of that quad as further unknowns.
+    virtual void addColored(QuadId quad, const ColoredBlock& block) = 0;
+
+    /// Coupling d_a^T block d_b (all 64 numbers) between quads of two moving images.
+    virtual void addCross(QuadId a, QuadId b, const QuadBlock& block) = 0;
+};
+
+/// Takes everything and keeps nothing: for energies alone.
+class NullSink : public ResidualSink
+{
+public:
+    void addRow(QuadId, const QuadRow&, double, double) override {}
+    void addRow(QuadId, const QuadRow&, QuadId, const QuadRow&, double, double) override {}
+    void addBlock(QuadId, const QuadBlock&, const QuadRow&, double) override {}
+    void addColored(QuadId, const ColoredBlock&) override {}
+    void addCross(QuadId, QuadId, const QuadBlock&) override {}
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,67 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "geometry/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cv
+{
+namespace gcpw
+{
+
+Lattice::Lattice(Size image_size, int cols, int rows)
+    : image_size_(image_size), cols_(cols), rows_(rows),
+      cell_size_(static_cast<double>(image_size.width) / cols, static_cast<double>(image_size.height) / rows)
+{
+    CV_CheckGT(image_size.width, 0, "A lattice needs an image that is not empty");
+    CV_CheckGT(image_size.height, 0, "A lattice needs an image that is not empty");
+    CV_CheckGT(cols, 0, "A lattice needs at least one column of cells");
+    CV_CheckGT(rows, 0, "A lattice needs at least one row of cells");
+}
+
+Point2d Lattice::restVertex(int vertex) const
+{
+    const int col = vertex % (cols_ + 1);
+    const int row = vertex / (cols_ + 1);
+    return {col * cell_size_.width - 0.5, row * cell_size_.height - 0.5};
+}
+
+Point2d Lattice::restPoint(const CellPoint& point) const
+{
+    const double u = point.weight[1] + point.weight[3];
+    const double v = point.weight[2] + point.weight[3];
+    return {(point.cell % cols_ + u) * cell_size_.width - 0.5, (point.cell / cols_ + v) * cell_size_.height - 0.5};
+}
+
+bool Lattice::contains(Point2d rest_px) const
+{
+    return rest_px.x >= -0.5 && rest_px.y >= -0.5 && rest_px.x <= image_size_.width - 0.5 &&
+           rest_px.y <= image_size_.height - 0.5;
+}
+
+CellPoint Lattice::locate(Point2d rest_px) const
+{
+    const double x = (rest_px.x + 0.5) / cell_size_.width;
+    const double y = (rest_px.y + 0.5) / cell_size_.height;
+    const int col = std::min(std::max(static_cast<int>(std::floor(x)), 0), cols_ - 1);
+    const int row = std::min(std::max(static_cast<int>(std::floor(y)), 0), rows_ - 1);
+    CellPoint point;
+    point.cell = row * cols_ + col;
+    point.weight = bilinearWeights(x - col, y - row);
+    return point;
+}
+
+int Lattice::neighbours(int cell, std::array<int, 8>& out) const
+{
+    const int col = cell % cols_;
+    const int row = cell / cols_;
+    int count = 0;
+    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r)
+        for (int c = std::max(col - 1, 0); c <= std::min(col + 1, cols_ - 1); ++c)
+            if (r != row || c != col)
+                out[count++] = r * cols_ + c;
+    return count;
+}
+
+} // namespace gcpw
+} // namespace cv

@@ -1,0 +1,76 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_LATTICE_HPP
+#define OPENCV_GCPW_LATTICE_HPP
+
+#include <array>
+#include <opencv2/core.hpp>
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief A point of the rest frame, as a cell of a lattice and the bilinear weights of its four corners.
+
+Corners are numbered as in eq. st1: 0 top left, 1 top right, 2 bottom left, 3 bottom right. Weights sum to one and are
+non-negative inside the lattice. */
+struct CellPoint
+{
+    int cell = -1;
+    std::array<double, 4> weight{{0, 0, 0, 0}};
+};
+
+/** @brief A uniform grid of cols x rows cells over the pixels of a rest image: indices and weights, never values.
+
+It covers the pixel squares, [-0.5, width - 0.5] x [-0.5, height - 0.5], so that a lattice of the same cells fits the
+image at any scale. Cells and vertices are numbered row by row. */
+class Lattice
+{
+public:
+    Lattice() = default;
+    Lattice(Size image_size, int cols, int rows);
+
+    int cols() const { return cols_; }
+    int rows() const { return rows_; }
+    int cellCount() const { return cols_ * rows_; }
+    int vertexCount() const { return (cols_ + 1) * (rows_ + 1); }
+    Size imageSize() const { return image_size_; }
+    Size2d cellSize() const { return cell_size_; }
+
+    /// Index of corner 0..3 of a cell.
+    int vertexOf(int cell, int corner) const
+    {
+        return (cell / cols_ + (corner >> 1)) * (cols_ + 1) + cell % cols_ + (corner & 1);
+    }
+
+    /// Rest position of a vertex, rest pixels.
+    Point2d restVertex(int vertex) const;
+
+    /// Rest position of a cell point, rest pixels.
+    Point2d restPoint(const CellPoint& point) const;
+
+    bool contains(Point2d rest_px) const;
+
+    /// Cell and weights of a rest point. Outside the lattice the nearest cell extrapolates: weights may be negative.
+    CellPoint locate(Point2d rest_px) const;
+
+    /// The cells that share a side or a corner with this one, in ascending order; returns how many (3, 5 or 8).
+    int neighbours(int cell, std::array<int, 8>& out) const;
+
+private:
+    Size image_size_;
+    int cols_ = 0;
+    int rows_ = 0;
+    Size2d cell_size_;
+};
+
+/// Bilinear weights of the fractions (u, v) in a cell, in corner order.
+inline std::array<double, 4> bilinearWeights(double u, double v)
+{
+    return {{(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
+}
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,40 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_MATCHES_HPP
+#define OPENCV_GCPW_MATCHES_HPP
+
+#include <vector>
+#include "geometry/segment.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// A point of image `a` and the same scene point in image `b`, each in the rest pixels of its own image.
+struct PointMatch
+{
+    Point2d a;
+    Point2d b;
+    double weight = 1; ///< relative, > 0
+};
+
+/// A line segment of image `a` and its partner in image `b`, each in the rest pixels of its own image.
+struct LineMatch
+{
+    Segment a;
+    Segment b;
+    double weight = 1; ///< relative, > 0
+};
+
+/// All that is known to correspond between two images.
+struct MatchSet
+{
+    std::vector<PointMatch> points;
+    std::vector<LineMatch> lines;
+    std::vector<PointMatch> dense; ///< from optical flow: many, each worth less than a keypoint
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

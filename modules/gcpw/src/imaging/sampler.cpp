@@ -1,0 +1,63 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "imaging/sampler.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+const float INSIDE = 0.98F; ///< least mask value that counts as inside; pyrDown blurs the mask
+
+/// Four channels of four neighbours, mixed by bilinear weights. Written so that compilers use one vector a pixel.
+inline void mix(const float* a, const float* b, const float* c, const float* d, const float w[4], float out[4])
+{
+    for (int k = 0; k < 4; ++k)
+        out[k] = w[0] * a[k] + w[1] * b[k] + w[2] * c[k] + w[3] * d[k];
+}
+
+} // namespace
+
+bool samplePixel(const PyramidLevel& level, Point2d rest_px, PixelSample& sample)
+{
+    const double scale = 1 / level.scale;
+    const double x = rest_px.x * scale;
+    const double y = rest_px.y * scale;
+    // Written so that NaN is refused too.
+    if (!(x >= 1 && y >= 1 && x < level.pixels.cols - 2 && y < level.pixels.rows - 2))
+        return false;
+    const int col = static_cast<int>(x);
+    const int row = static_cast<int>(y);
+    const float u = static_cast<float>(x - col);
+    const float v = static_cast<float>(y - row);
+    const float w[4] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+    const float* above = level.at(col, row - 1);
+    const float* top = level.at(col, row);
+    const float* bottom = level.at(col, row + 1);
+    const float* below = level.at(col, row + 2);
+    float value[4];
+    mix(top, top + 4, bottom, bottom + 4, w, value);
+    if (value[3] < INSIDE)
+        return false;
+    float left[4];
+    float right[4];
+    float up[4];
+    float down[4];
+    mix(top - 4, top, bottom - 4, bottom, w, left);
+    mix(top + 4, top + 8, bottom + 4, bottom + 8, w, right);
+    mix(above, above + 4, top, top + 4, w, up);
+    mix(bottom, bottom + 4, below, below + 4, w, down);
+    const float half = static_cast<float>(0.5 * scale);
+    for (int c = 0; c < 3; ++c)
+    {
+        sample.value[c] = value[c];
+        sample.dx[c] = half * (right[c] - left[c]);
+        sample.dy[c] = half * (down[c] - up[c]);
+    }
+    return true;
+}
+
+} // namespace gcpw
+} // namespace cv

@@ -1,0 +1,32 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_SAMPLER_HPP
+#define OPENCV_GCPW_SAMPLER_HPP
+
+#include "imaging/pyramid.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// What an image shows at a point between its pixels: three channels and their gradient, per pixel of the rest image.
+struct PixelSample
+{
+    float value[3];
+    float dx[3];
+    float dy[3];
+};
+
+/** @brief Bilinear value and bilinear central-difference gradient of a level.
+@param level where to read
+@param rest_px position in rest pixels
+@param sample the result; set only if true is returned
+@return false where the 4 x 4 neighbourhood leaves the image or any of the four nearest pixels leaves the mask
+
+cv::remap would quantise the position to 1/32 px; here it keeps its full precision. */
+bool samplePixel(const PyramidLevel& level, Point2d rest_px, PixelSample& sample);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

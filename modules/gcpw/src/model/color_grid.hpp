@@ -1,0 +1,55 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_COLOR_GRID_HPP
+#define OPENCV_GCPW_COLOR_GRID_HPP
+
+#include <array>
+#include <vector>
+#include "geometry/lattice.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+const int CHANNELS = 3; ///< Y, Cr, Cb
+
+/// The colour map y = gain * x + bias of one channel; intensities in [0, 1].
+struct ChannelAffine
+{
+    double gain = 1;
+    double bias = 0;
+};
+
+/** @brief One affine colour map a channel on every quad of a lattice (the paper's G and B), in YCrCb.
+
+Estimated constant in a quad; read bilinearly between quad centres, so that no block shows (see at()). */
+class ColorGrid
+{
+public:
+    typedef std::array<ChannelAffine, CHANNELS> Quad;
+
+    ColorGrid() = default;
+    explicit ColorGrid(const Lattice& lattice) : lattice_(lattice), quads_(lattice.cellCount()) {}
+
+    const Lattice& lattice() const { return lattice_; }
+    const Quad& quad(int cell) const { return quads_[cell]; }
+    Quad& quad(int cell) { return quads_[cell]; }
+
+    /// Bilinear between quad centres, constant beyond the outer centres.
+    Quad at(Point2d rest_px) const;
+
+    /// The grid as rows x cols, CV_32FC(6): gain Y, Cr, Cb, bias Y, Cr, Cb.
+    Mat toMat() const;
+
+private:
+    Lattice lattice_;
+    std::vector<Quad> quads_;
+};
+
+/// (1 - share) * a + share * b, quad by quad.
+ColorGrid mixed(const ColorGrid& a, const ColorGrid& b, double share);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

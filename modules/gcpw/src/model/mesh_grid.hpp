@@ -1,0 +1,71 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_MESH_GRID_HPP
+#define OPENCV_GCPW_MESH_GRID_HPP
+
+#include <vector>
+#include "geometry/lattice.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief Canvas positions on the vertices of a lattice: the warp of one image, bilinear in every quad.
+
+Canvas pixels, at the working resolution. A quad is *folded* where its map stops being one-to-one; a bilinear quad is
+one-to-one exactly if the four triangles at its corners keep their orientation, which is what cornerArea() measures. */
+class MeshGrid
+{
+public:
+    MeshGrid() = default;
+
+    /// The lattice at rest, moved to `origin`: canvas = rest + origin.
+    explicit MeshGrid(const Lattice& lattice, Point2d origin = Point2d());
+
+    const Lattice& lattice() const { return lattice_; }
+    const std::vector<Point2d>& vertices() const { return vertices_; }
+    std::vector<Point2d>& vertices() { return vertices_; }
+    Point2d vertex(int cell, int corner) const { return vertices_[lattice_.vertexOf(cell, corner)]; }
+
+    /// Canvas position of a rest point.
+    Point2d warp(const CellPoint& point) const;
+    Point2d warp(Point2d rest_px) const { return warp(lattice_.locate(rest_px)); }
+
+    /// d canvas / d rest at a cell point: [dx/dx dx/dy; dy/dx dy/dy].
+    Matx22d jacobian(const CellPoint& point) const;
+
+    /** @brief The rest point that is carried to a canvas point.
+    @param canvas_px where to look
+    @param hint cell to start from (any value; out of range starts in the middle); the found cell on return
+    @param point the result; its weights are valid only if true is returned
+    @return false where the mesh does not cover the point */
+    bool invert(Point2d canvas_px, int& hint, CellPoint& point) const;
+
+    /// Twice the signed area of the triangle at a corner of a quad (corner, next along the row, next along the column).
+    double cornerArea(int cell, int corner) const;
+
+    /// How many quads are folded or flipped.
+    int countFolds() const;
+
+    /// The smallest upright rectangle around the mesh, canvas pixels.
+    Rect2d bounds() const;
+
+private:
+    Lattice lattice_;
+    std::vector<Point2d> vertices_;
+};
+
+/// Twice the signed area of the corner triangle of a quad whose corners are given in lattice order.
+double cornerArea(const std::array<Point2d, 4>& quad, int corner);
+
+/// Inverts the bilinear map of one quad: fractions (u, v) with point = sum w_k(u, v) quad[k]. False if it has no answer
+/// near the quad.
+bool invertBilinear(const std::array<Point2d, 4>& quad, Point2d point, double& u, double& v);
+
+/// Largest move of a vertex between two meshes over one lattice, canvas pixels.
+double maxVertexDistance(const MeshGrid& a, const MeshGrid& b);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,46 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "pipeline/match_gate.hpp"
+
+#include "energy/mesh_system.hpp"
+#include "pipeline/fold_guard.hpp"
+#include "terms/point_term.hpp"
+#include "terms/similarity_term.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
+                 const GateSchedule& schedule)
+{
+    const PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1);
+    const SimilarityTerm similarity(0, rough, schedule.similarity_weight);
+    MeshSystem system({moving.lattice(), fixed.lattice()}, {false, true});
+    MeshGrid mesh = moving;
+    for (double scale = schedule.start_px;; scale *= schedule.factor)
+    {
+        const RobustLoss loss(std::max(scale, schedule.end_px));
+        system.setZero();
+        system.addDamping(1e-4);
+        points.linearize(mesh, fixed, loss, system);
+        similarity.linearize(mesh, system);
+        MeshStep step;
+        if (system.solve(step) == SolveStatus::NotPositiveDefinite)
+            return false;
+        mesh = moved(mesh, step[0], 1);
+        if (scale <= schedule.end_px)
+            break;
+    }
+    const std::vector<double> distances = points.distances(mesh, fixed);
+    std::vector<PointMatch> kept;
+    for (size_t i = 0; i < matches.size(); ++i)
+        if (distances[i] <= schedule.keep_px)
+            kept.push_back(matches[i]);
+    matches.swap(kept);
+    moving = mesh;
+    return true;
+}
+
+} // namespace gcpw
+} // namespace cv

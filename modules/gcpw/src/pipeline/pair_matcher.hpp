@@ -1,0 +1,39 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_PAIR_MATCHER_HPP
+#define OPENCV_GCPW_PAIR_MATCHER_HPP
+
+#include "matching/keypoints.hpp"
+#include "matching/segments.hpp"
+#include "model/mesh_grid.hpp"
+#include "opencv2/gcpw/params.hpp"
+#include "pipeline/recipe.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// Keypoints and line segments of one image, in rest pixels.
+struct Features
+{
+    Keypoints keypoints;
+    std::vector<Segment> segments;
+};
+
+/** @brief Features of an image.
+@param image CV_8UC3 at the resolution they are to be found at  @param work_size rest frame */
+Features detectFeatures(const Mat& image, Size work_size, const Params& params);
+
+/** @brief All matches between a moving image and a fixed one, verified by a mesh.
+
+Keypoints are matched near where the rough mesh expects them and gated by a robust mesh fit, then matched once more near
+where that mesh expects them. Line segments are paired and verified by the points' mesh.
+@param rough rough mesh of a  @param fixed mesh of b
+@param fitted receives the mesh of the point matches alone: a good start for everything that follows */
+MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed,
+                   const Params& params, const Recipe& recipe, MeshGrid& fitted);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,125 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "opencv2/gcpw/params.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+/// One numeric member: its name, where it is and which values it may have.
+struct Field
+{
+    const char* name;
+    int Params::*integer;
+    double Params::*real;
+    double low;
+    double high;
+    bool low_included;
+};
+
+const double INF = std::numeric_limits<double>::max();
+
+const Field FIELDS[] = {
+    {"meshCols", &Params::meshCols, nullptr, 2, 256, true},
+    {"meshRows", &Params::meshRows, nullptr, 2, 256, true},
+    {"workMegapix", nullptr, &Params::workMegapix, 0, 1000, false},
+    {"referenceImage", &Params::referenceImage, nullptr, -1, 100000, true},
+    {"photometricWeight", nullptr, &Params::photometricWeight, 0, INF, true},
+    {"geometricWeight", nullptr, &Params::geometricWeight, 0, INF, true},
+    {"similarityWeight", nullptr, &Params::similarityWeight, 0, INF, false},
+    {"colorSmoothnessWeight", nullptr, &Params::colorSmoothnessWeight, 0, INF, false},
+    {"colorRestWeight", nullptr, &Params::colorRestWeight, 0, INF, false},
+    {"sampleStep", &Params::sampleStep, nullptr, 1, 64, true},
+    {"lineStep", nullptr, &Params::lineStep, 0, INF, false},
+    {"pyramidLevels", &Params::pyramidLevels, nullptr, 1, 8, true},
+    {"maxIterations", &Params::maxIterations, nullptr, 1, 1000, true},
+    {"stopMotion", nullptr, &Params::stopMotion, 0, INF, false},
+    {"robustScale", nullptr, &Params::robustScale, 0, INF, true},
+    {"matchScale", nullptr, &Params::matchScale, 0, INF, true},
+    {"contrastFloor", nullptr, &Params::contrastFloor, 0, 1, true},
+    {"denseWeight", nullptr, &Params::denseWeight, 0, INF, true},
+    {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
+    {"contrastThreshold", nullptr, &Params::contrastThreshold, 0, 1, false},
+    {"matchRatio", nullptr, &Params::matchRatio, 0, 1, false},
+    {"featureMegapix", nullptr, &Params::featureMegapix, 0, 1000, false},
+};
+
+const Field& find(const std::string& name)
+{
+    std::string known;
+    for (const Field& field : FIELDS)
+    {
+        if (name == field.name)
+            return field;
+        known += known.empty() ? field.name : std::string(", ") + field.name;
+    }
+    CV_Error(Error::StsBadArg, "gcpw::Params has no member '" + name + "'; it has " + known);
+}
+
+} // namespace
+
+Params Params::paper()
+{
+    Params p;
+    p.similarityWeight = 0.5;
+    p.colorSmoothnessWeight = 1;
+    p.robustScale = 0;
+    p.matchScale = 0;
+    p.contrastFloor = 0;
+    p.denseWeight = 0;
+    return p;
+}
+
+void Params::check() const
+{
+    for (const Field& field : FIELDS)
+    {
+        const double value = get(field.name);
+        const bool inside = (field.low_included ? value >= field.low : value > field.low) && value <= field.high;
+        if (inside)
+            continue;
+        std::ostringstream message;
+        message << "gcpw::Params::" << field.name << " is " << value << "; it must be "
+                << (field.low_included ? "at least " : "greater than ") << field.low;
+        if (field.high < INF)
+            message << " and at most " << field.high;
+        CV_Error(Error::StsOutOfRange, message.str());
+    }
+}
+
+void Params::set(const std::string& name, double value)
+{
+    const Field& field = find(name);
+    if (!field.integer)
+    {
+        this->*field.real = value;
+        return;
+    }
+    if (!(std::abs(value) < 1e9) || value != std::floor(value))
+        CV_Error(Error::StsOutOfRange, "gcpw::Params::" + name + " takes a whole number");
+    this->*field.integer = static_cast<int>(value);
+}
+
+double Params::get(const std::string& name) const
+{
+    const Field& field = find(name);
+    return field.integer ? this->*field.integer : this->*field.real;
+}
+
+std::vector<std::string> Params::names()
+{
+    std::vector<std::string> all;
+    for (const Field& field : FIELDS)
+        all.emplace_back(field.name);
+    return all;
+}
+
+} // namespace gcpw
+} // namespace cv

@@ -1,0 +1,49 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_POINT_TERM_HPP
+#define OPENCV_GCPW_POINT_TERM_HPP
+
+#include <vector>
+#include "energy/residual_sink.hpp"
+#include "energy/robust_loss.hpp"
+#include "geometry/matches.hpp"
+#include "model/mesh_grid.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief Brings matched points together on the canvas (eq. geometerm, point part).
+
+    E_f = weight * sum_k w_k rho( | W_a(p_k) - W_b(p'_k) |^2 )
+
+p_k, p'_k are rest points of images a and b; with b held at rest W_b(p'_k) is the paper's fixed p'. Linear in both
+meshes: but for the loss one linearisation is exact. Residuals: 2 per match, canvas px. */
+class PointTerm
+{
+public:
+    PointTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
+              const std::vector<PointMatch>& matches, double weight);
+
+    /// Returns the robust energy.
+    double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const;
+
+    /// Distance of every match at present, canvas px, in the order given.
+    std::vector<double> distances(const MeshGrid& a, const MeshGrid& b) const;
+
+private:
+    struct Pair
+    {
+        CellPoint a;
+        CellPoint b;
+        double weight;
+    };
+    int image_a_;
+    int image_b_;
+    std::vector<Pair> pairs_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

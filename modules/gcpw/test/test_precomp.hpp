@@ -1,0 +1,18 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_TEST_PRECOMP_HPP
+#define OPENCV_GCPW_TEST_PRECOMP_HPP
+
+// Inside OpenCV's build this is its ts module, elsewhere a shim over GoogleTest: the tests do not notice.
+#include <opencv2/ts.hpp>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <opencv2/gcpw.hpp>
+
+// The GoogleTest inside OpenCV 4.x knows only the older name.
+#ifndef INSTANTIATE_TEST_SUITE_P
+#define INSTANTIATE_TEST_SUITE_P INSTANTIATE_TEST_CASE_P
+#endif
+
+#endif
