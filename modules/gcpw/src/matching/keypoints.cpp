@@ -18,15 +18,42 @@ namespace
 const double SAME_SPOT = 2.5; ///< px: keypoints closer than this are one spot seen at two scales or orientations
 const int DESCRIPTOR_LENGTH = 128;
 
+/// Written over 16-bit differences, which compilers turn into multiply-add instructions.
 int squaredDistance(const uchar* a, const uchar* b)
 {
     int sum = 0;
     for (int k = 0; k < DESCRIPTOR_LENGTH; ++k)
     {
-        const int d = static_cast<int>(a[k]) - static_cast<int>(b[k]);
+        const short d = static_cast<short>(a[k] - b[k]);
         sum += d * d;
     }
     return sum;
+}
+
+/// The two nearest of the first `count` rows of `descriptors`.
+struct Nearest
+{
+    int index = -1;
+    int first = std::numeric_limits<int>::max();
+    int second = std::numeric_limits<int>::max();
+};
+
+Nearest findNearest(const uchar* query, const Mat& descriptors, int count)
+{
+    Nearest nearest;
+    for (int j = 0; j < count; ++j)
+    {
+        const int distance = squaredDistance(query, descriptors.ptr<uchar>(j));
+        if (distance < nearest.first)
+        {
+            nearest.second = nearest.first;
+            nearest.first = distance;
+            nearest.index = j;
+        }
+        else if (distance < nearest.second)
+            nearest.second = distance;
+    }
+    return nearest;
 }
 
 /// Keypoints in square bins, to find those near a point.
@@ -111,24 +138,26 @@ std::vector<KeypointMatch> matchEverywhere(const Keypoints& a, const Keypoints& 
     const int count_b = std::min(strongest, b.descriptors.rows);
     if (count_a < 2 || count_b < 2)
         return result;
-    const BFMatcher matcher(NORM_L2);
-    std::vector<std::vector<DMatch>> forward;
-    std::vector<std::vector<DMatch>> backward;
-    matcher.knnMatch(a.descriptors.rowRange(0, count_a), b.descriptors.rowRange(0, count_b), forward, 2);
-    matcher.knnMatch(b.descriptors.rowRange(0, count_b), a.descriptors.rowRange(0, count_a), backward, 1);
-    for (const std::vector<DMatch>& best : forward)
+    std::vector<KeypointMatch> best(count_a);
+    parallel_for_(Range(0, count_a), [&](const Range& range)
     {
-        if (best.size() < 2 || !(best[0].distance < max_ratio * best[1].distance))
-            continue;
-        const DMatch& match = best[0];
-        if (backward[match.trainIdx].empty() || backward[match.trainIdx][0].trainIdx != match.queryIdx)
-            continue;
-        KeypointMatch found;
-        found.a = match.queryIdx;
-        found.b = match.trainIdx;
-        found.ratio = match.distance / best[1].distance;
-        result.push_back(found);
-    }
+        for (int i = range.start; i < range.end; ++i)
+        {
+            const Nearest there = findNearest(a.descriptors.ptr<uchar>(i), b.descriptors, count_b);
+            const float ratio = std::sqrt(static_cast<float>(there.first) / std::max(there.second, 1));
+            if (!(ratio < max_ratio))
+                continue;
+            const Nearest back = findNearest(b.descriptors.ptr<uchar>(there.index), a.descriptors, count_a);
+            if (back.index != i)
+                continue;
+            best[i].a = i;
+            best[i].b = there.index;
+            best[i].ratio = ratio;
+        }
+    });
+    for (const KeypointMatch& match : best)
+        if (match.a >= 0)
+            result.push_back(match);
     return result;
 }
 

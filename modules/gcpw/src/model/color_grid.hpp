@@ -33,7 +33,14 @@ public:
 
     const Lattice& lattice() const { return lattice_; }
     const Quad& quad(int cell) const { return quads_[cell]; }
-    Quad& quad(int cell) { return quads_[cell]; }
+    Quad& quad(int cell)
+    {
+        identity_ = false;
+        return quads_[cell];
+    }
+
+    /// True until a quad is written.
+    bool isIdentity() const { return identity_; }
 
     /// Bilinear between quad centres, constant beyond the outer centres.
     Quad at(Point2d rest_px) const;
@@ -44,6 +51,7 @@ public:
 private:
     Lattice lattice_;
     std::vector<Quad> quads_;
+    bool identity_ = true;
 };
 
 /// (1 - share) * a + share * b, quad by quad.

@@ -87,6 +87,15 @@ double MeshGrid::cornerArea(int cell, int corner) const
     return gcpw::cornerArea(quadOf(*this, cell), corner);
 }
 
+bool MeshGrid::isTranslation(Point2d& origin) const
+{
+    origin = vertices_[0] - lattice_.restVertex(0);
+    for (int i = 1; i < lattice_.vertexCount(); ++i)
+        if (vertices_[i] != lattice_.restVertex(i) + origin)
+            return false;
+    return true;
+}
+
 int MeshGrid::countFolds() const
 {
     int folds = 0;

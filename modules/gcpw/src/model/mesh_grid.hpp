@@ -44,6 +44,9 @@ public:
     /// Twice the signed area of the triangle at a corner of a quad (corner, next along the row, next along the column).
     double cornerArea(int cell, int corner) const;
 
+    /// Whether the mesh is the lattice at rest, only shifted; `origin` receives the shift.
+    bool isTranslation(Point2d& origin) const;
+
     /// How many quads are folded or flipped.
     int countFolds() const;
 

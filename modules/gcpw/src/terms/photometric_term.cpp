@@ -16,13 +16,54 @@ const float INSIDE = 0.98F; ///< least mask value of a source pixel that is samp
 /// Sums over the samples of one quad, folded out into a ColoredBlock at the end.
 struct QuadSums
 {
-    double corner[10][3] = {};    ///< for each pair of corners k <= m: sum w_k w_m (xx, xy, yy)
-    double slope[4][2] = {};      ///< sum w_k g r
-    double color[4][3][4] = {};   ///< per corner and channel: sum w_k (gx I, gx, gy I, gy)
-    double moments[3][3] = {};    ///< per channel: I I, I, 1
-    double residual[3][2] = {};   ///< per channel: I r, r
+    double curvature[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
+    double corner[4][14] = {};    ///< per corner: sum w_k (gx r, gy r), then per channel w_k (gx I, gx, gy I, gy)
+    double color[3][5] = {};      ///< per channel: sum I I, I, 1, I r, r
     double energy = 0;
     int samples = 0;
+
+    /// One sample: bilinear weights, channel values, residuals, gradients (x then y) and its weight.
+    void add(const float* corner_weight, const float* value, const double* r, const double* gx, const double* gy, double w)
+    {
+        double part[14] = {};
+        double xx = 0;
+        double xy = 0;
+        double yy = 0;
+        for (int c = 0; c < 3; ++c)
+        {
+            const double i = value[c];
+            xx += gx[c] * gx[c];
+            xy += gx[c] * gy[c];
+            yy += gy[c] * gy[c];
+            part[0] += gx[c] * r[c];
+            part[1] += gy[c] * r[c];
+            double* own = part + 2 + 4 * c;
+            own[0] = gx[c] * i;
+            own[1] = gx[c];
+            own[2] = gy[c] * i;
+            own[3] = gy[c];
+            color[c][0] += w * i * i;
+            color[c][1] += w * i;
+            color[c][2] += w;
+            color[c][3] += w * i * r[c];
+            color[c][4] += w * r[c];
+        }
+        int pair = 0;
+        for (int k = 0; k < 4; ++k)
+        {
+            const double wk = w * corner_weight[k];
+            for (int j = 0; j < 14; ++j)
+                corner[k][j] += wk * part[j];
+            for (int m = k; m < 4; ++m, ++pair)
+            {
+                const double wkm = wk * corner_weight[m];
+                curvature[pair][0] += wkm * xx;
+                curvature[pair][1] += wkm * xy;
+                curvature[pair][2] += wkm * yy;
+            }
+        }
+        ++samples;
+    }
 };
 
 void unfold(const QuadSums& sums, double weight, ColoredBlock& block)
@@ -32,7 +73,7 @@ void unfold(const QuadSums& sums, double weight, ColoredBlock& block)
     {
         for (int m = k; m < 4; ++m, ++pair)
         {
-            const double* s = sums.corner[pair];
+            const double* s = sums.curvature[pair];
             block.mesh_mesh[2 * k][2 * m] = weight * s[0];
             block.mesh_mesh[2 * k][2 * m + 1] = weight * s[1];
             if (m > k)
@@ -41,18 +82,18 @@ void unfold(const QuadSums& sums, double weight, ColoredBlock& block)
         }
         for (int axis = 0; axis < 2; ++axis)
         {
-            block.mesh_gradient[2 * k + axis] = -weight * sums.slope[k][axis];
+            block.mesh_gradient[2 * k + axis] = -weight * sums.corner[k][axis];
             for (int c = 0; c < 3; ++c)
                 for (int j = 0; j < 2; ++j)
-                    block.mesh_color[2 * k + axis][2 * c + j] = -weight * sums.color[k][c][2 * axis + j];
+                    block.mesh_color[2 * k + axis][2 * c + j] = -weight * sums.corner[k][2 + 4 * c + 2 * axis + j];
         }
     }
     for (int c = 0; c < 3; ++c)
     {
         for (int j = 0; j < 3; ++j)
-            block.color_color[c][j] = weight * sums.moments[c][j];
+            block.color_color[c][j] = weight * sums.color[c][j];
         for (int j = 0; j < 2; ++j)
-            block.color_gradient[c][j] = weight * sums.residual[c][j];
+            block.color_gradient[c][j] = weight * sums.color[c][3 + j];
     }
     block.energy = sums.energy;
     block.samples = sums.samples;
@@ -124,94 +165,109 @@ void PhotometricTerm::setImportance(double contrast_floor)
         sample.importance *= 0.01F;
 }
 
-bool PhotometricTerm::evaluate(const Sample& sample, int cell, const std::vector<ImageState>& images, int& hint,
-                               CellPoint& target_point, Evaluated& out) const
+/// Where the target lies now, with a short cut for a target at rest: then no quad has to be searched.
+class PhotometricTerm::Target
 {
-    const MeshGrid& mesh = images[source_image_].mesh;
-    Point2d canvas;
-    for (int k = 0; k < 4; ++k)
-        canvas += static_cast<double>(sample.weight[k]) * mesh.vertex(cell, k);
-    const MeshGrid& target_mesh = images[target_image_].mesh;
-    if (!target_mesh.invert(canvas, hint, target_point))
-        return false;
-    PixelSample pixel;
-    if (!samplePixel(target_, target_mesh.lattice().restPoint(target_point), pixel))
-        return false;
-    const Matx22d inverse = target_mesh.jacobian(target_point).inv();
-    const ColorGrid::Quad& mine = images[source_image_].color.quad(cell);
-    const ColorGrid::Quad& other = images[target_image_].color.quad(target_point.cell);
-    for (int c = 0; c < 3; ++c)
+public:
+    explicit Target(const ImageState& state) : state_(state), at_rest_(state.mesh.isTranslation(origin_)) {}
+
+    /// The rest point of the target under a canvas point, and its colour; false outside the mesh.
+    bool find(Point2d canvas)
     {
-        out.residual[c] = mine[c].gain * sample.value[c] + mine[c].bias - other[c].gain * pixel.value[c] - other[c].bias;
-        const double dx = other[c].gain * pixel.dx[c];
-        const double dy = other[c].gain * pixel.dy[c];
-        out.gradient[c] = Point2d(dx * inverse(0, 0) + dy * inverse(1, 0), dx * inverse(0, 1) + dy * inverse(1, 1));
+        if (at_rest_)
+        {
+            rest_ = canvas - origin_;
+            if (!state_.mesh.lattice().contains(rest_))
+                return false;
+            if (state_.color.isIdentity())
+                return true;
+            point_ = state_.mesh.lattice().locate(rest_);
+            return true;
+        }
+        if (!state_.mesh.invert(canvas, hint_, point_))
+            return false;
+        rest_ = state_.mesh.lattice().restPoint(point_);
+        inverse_ = state_.mesh.jacobian(point_).inv();
+        return true;
     }
-    return true;
+    Point2d rest() const { return rest_; }
+    /// d / d canvas of an image gradient in the rest frame.
+    void toCanvas(double& dx, double& dy) const
+    {
+        if (at_rest_)
+            return;
+        const double x = dx * inverse_(0, 0) + dy * inverse_(1, 0);
+        dy = dx * inverse_(0, 1) + dy * inverse_(1, 1);
+        dx = x;
+    }
+    const ColorGrid::Quad& color() const { return state_.color.isIdentity() ? identity_ : state_.color.quad(point_.cell); }
+
+private:
+    const ImageState& state_;
+    Point2d origin_;
+    bool at_rest_;
+    int hint_ = -1;
+    Point2d rest_;
+    CellPoint point_;
+    Matx22d inverse_ = Matx22d::eye();
+    ColorGrid::Quad identity_{};
+};
+
+template <typename Visit>
+void PhotometricTerm::forEachInside(const std::vector<ImageState>& images, int cell, Target& target, Visit visit) const
+{
+    if (first_[cell] == first_[cell + 1])
+        return;
+    const MeshGrid& mesh = images[source_image_].mesh;
+    const ColorGrid::Quad& mine = images[source_image_].color.quad(cell);
+    const Point2d corner[4] = {mesh.vertex(cell, 0), mesh.vertex(cell, 1), mesh.vertex(cell, 2), mesh.vertex(cell, 3)};
+    PixelSample pixel;
+    double residual[3];
+    for (int i = first_[cell]; i < first_[cell + 1]; ++i)
+    {
+        const Sample& sample = samples_[i];
+        Point2d canvas;
+        for (int k = 0; k < 4; ++k)
+        {
+            canvas.x += sample.weight[k] * corner[k].x;
+            canvas.y += sample.weight[k] * corner[k].y;
+        }
+        if (!target.find(canvas) || !samplePixel(target_, target.rest(), pixel))
+            continue;
+        const ColorGrid::Quad& other = target.color();
+        double squared = 0;
+        for (int c = 0; c < 3; ++c)
+        {
+            residual[c] = mine[c].gain * sample.value[c] + mine[c].bias - other[c].gain * pixel.value[c] - other[c].bias;
+            squared += residual[c] * residual[c];
+        }
+        visit(sample, pixel, residual, squared * sample.importance);
+    }
 }
 
 double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
                                   ResidualSink& sink) const
 {
     double total = 0;
-    int hint = -1;
-    CellPoint target_point;
-    Evaluated now;
+    Target target(images[target_image_]);
     (void)target_moves;
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
         QuadSums sums;
-        for (int i = first_[cell]; i < first_[cell + 1]; ++i)
+        forEachInside(images, cell, target,
+                      [&](const Sample& sample, const PixelSample& pixel, const double* residual, double squared)
         {
-            const Sample& sample = samples_[i];
-            if (!evaluate(sample, cell, images, hint, target_point, now))
-                continue;
-            double squared = 0;
-            for (int c = 0; c < 3; ++c)
-                squared += now.residual[c] * now.residual[c];
-            squared *= sample.importance;
             sums.energy += options_.weight * loss.value(squared);
-            ++sums.samples;
-            const double w = loss.weight(squared) * sample.importance;
-            double xx = 0, xy = 0, yy = 0, rx = 0, ry = 0;
+            double gx[3];
+            double gy[3];
             for (int c = 0; c < 3; ++c)
             {
-                const Point2d g = now.gradient[c];
-                const double value = sample.value[c];
-                xx += g.x * g.x;
-                xy += g.x * g.y;
-                yy += g.y * g.y;
-                rx += g.x * now.residual[c];
-                ry += g.y * now.residual[c];
-                sums.moments[c][0] += w * value * value;
-                sums.moments[c][1] += w * value;
-                sums.moments[c][2] += w;
-                sums.residual[c][0] += w * value * now.residual[c];
-                sums.residual[c][1] += w * now.residual[c];
-                for (int k = 0; k < 4; ++k)
-                {
-                    const double wk = w * sample.weight[k];
-                    sums.color[k][c][0] += wk * g.x * value;
-                    sums.color[k][c][1] += wk * g.x;
-                    sums.color[k][c][2] += wk * g.y * value;
-                    sums.color[k][c][3] += wk * g.y;
-                }
+                gx[c] = target.color()[c].gain * pixel.dx[c];
+                gy[c] = target.color()[c].gain * pixel.dy[c];
+                target.toCanvas(gx[c], gy[c]);
             }
-            int pair = 0;
-            for (int k = 0; k < 4; ++k)
-            {
-                const double wk = w * sample.weight[k];
-                for (int m = k; m < 4; ++m, ++pair)
-                {
-                    const double wkm = wk * sample.weight[m];
-                    sums.corner[pair][0] += wkm * xx;
-                    sums.corner[pair][1] += wkm * xy;
-                    sums.corner[pair][2] += wkm * yy;
-                }
-                sums.slope[k][0] += wk * rx;
-                sums.slope[k][1] += wk * ry;
-            }
-        }
+            sums.add(sample.weight, sample.value, residual, gx, gy, loss.weight(squared) * sample.importance);
+        });
         if (sums.samples == 0)
             continue;
         ColoredBlock block;
@@ -224,32 +280,22 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
 
 std::vector<float> PhotometricTerm::squaredResiduals(const std::vector<ImageState>& images) const
 {
-    std::vector<float> squared;
-    squared.reserve(samples_.size());
-    int hint = -1;
-    CellPoint target_point;
-    Evaluated now;
+    std::vector<float> all;
+    all.reserve(samples_.size());
+    Target target(images[target_image_]);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
-        for (int i = first_[cell]; i < first_[cell + 1]; ++i)
-            if (evaluate(samples_[i], cell, images, hint, target_point, now))
-            {
-                double sum = 0;
-                for (int c = 0; c < 3; ++c)
-                    sum += now.residual[c] * now.residual[c];
-                squared.push_back(static_cast<float>(sum * samples_[i].importance));
-            }
-    return squared;
+        forEachInside(images, cell, target, [&](const Sample&, const PixelSample&, const double*, double squared)
+        { all.push_back(static_cast<float>(squared)); });
+    return all;
 }
 
 std::vector<int> PhotometricTerm::countInside(const std::vector<ImageState>& images) const
 {
     std::vector<int> count(lattice_.cellCount(), 0);
-    int hint = -1;
-    CellPoint target_point;
-    Evaluated now;
+    Target target(images[target_image_]);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
-        for (int i = first_[cell]; i < first_[cell + 1]; ++i)
-            count[cell] += evaluate(samples_[i], cell, images, hint, target_point, now) ? 1 : 0;
+        forEachInside(images, cell, target,
+                      [&](const Sample&, const PixelSample&, const double*, double) { ++count[cell]; });
     return count;
 }
 

@@ -66,13 +66,11 @@ private:
         float value[3];
         float importance;
     };
-    struct Evaluated
-    {
-        double residual[3];
-        Point2d gradient[3]; ///< of the target by the canvas position, times its gain
-    };
-    bool evaluate(const Sample& sample, int cell, const std::vector<ImageState>& images, int& hint,
-                  CellPoint& target_point, Evaluated& out) const;
+    class Target;
+
+    /// Calls visit(sample, pixel, residual[3], squared residual times w_q) for the samples of a quad that are inside.
+    template <typename Visit>
+    void forEachInside(const std::vector<ImageState>& images, int cell, Target& target, Visit visit) const;
     void setImportance(double contrast_floor);
 
     int source_image_;
