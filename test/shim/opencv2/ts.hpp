@@ -1,0 +1,82 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef GCPW_TEST_SHIM_TS_HPP
+#define GCPW_TEST_SHIM_TS_HPP
+
+/** @file
+The part of OpenCV's test module (ts) that the tests of this module use, over GoogleTest, for builds where ts is not at
+hand. What is missing here does not compile; add it only with the meaning it has in ts. */
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include <opencv2/core.hpp>
+
+// ts carries an older GoogleTest; both names work in both worlds.
+#undef INSTANTIATE_TEST_CASE_P
+#define INSTANTIATE_TEST_CASE_P INSTANTIATE_TEST_SUITE_P
+
+// The GoogleTest of ts cannot skip.
+#undef GTEST_SKIP
+
+// Like ts, asks that tests live in namespace opencv_test.
+#undef TEST
+#define TEST(suite, name)                                                                                              \
+    static_assert(required_opencv_test_namespace, "tests live in namespace opencv_test");                              \
+    GTEST_TEST(suite, name)
+
+namespace cvtest
+{
+
+/// The data file of this relative path under OPENCV_TEST_DATA_PATH or the module's own testdata; throws without it.
+inline std::string findDataFile(const std::string& relative_path)
+{
+    std::string roots[2];
+    if (const char* path = std::getenv("OPENCV_TEST_DATA_PATH"))
+        roots[0] = path;
+#ifdef GCPW_TEST_DATA_DIR
+    roots[1] = GCPW_TEST_DATA_DIR;
+#endif
+    for (const std::string& root : roots)
+        for (const char* sub_directory : {"/cv/", "/"})
+            if (!root.empty() && std::ifstream(root + sub_directory + relative_path).good())
+                return root + sub_directory + relative_path;
+    CV_Error(cv::Error::StsObjectNotFound, "OpenCV tests: can't find data file: " + relative_path);
+}
+
+inline double norm(const cv::Mat& src, int norm_type, const cv::Mat& mask = cv::Mat())
+{
+    return cv::norm(src, norm_type, mask);
+}
+
+inline double norm(const cv::Mat& src1, const cv::Mat& src2, int norm_type, const cv::Mat& mask = cv::Mat())
+{
+    return cv::norm(src1, src2, norm_type, mask);
+}
+
+} // namespace cvtest
+
+namespace opencv_test
+{
+
+using namespace cvtest;
+using namespace cv;
+
+constexpr bool required_opencv_test_namespace = true;
+
+} // namespace opencv_test
+
+#define CV_TEST_MAIN(resource_sub_directory)                                                                           \
+    int main(int argc, char** argv)                                                                                    \
+    {                                                                                                                  \
+        ::testing::InitGoogleTest(&argc, argv);                                                                        \
+        return RUN_ALL_TESTS();                                                                                        \
+    }
+
+#ifdef GCPW_TEST_SHIM_PERF
+#include "opencv2/ts/ts_perf.hpp"
+#endif
+
+#endif
