@@ -20,6 +20,32 @@ std::array<Point2d, 4> quadOf(const MeshGrid& mesh, int cell)
     return {{mesh.vertex(cell, 0), mesh.vertex(cell, 1), mesh.vertex(cell, 2), mesh.vertex(cell, 3)}};
 }
 
+/// Whether a point is in the bounding box of a quad.
+bool mayHold(const std::array<Point2d, 4>& quad, Point2d p)
+{
+    const auto x = std::minmax({quad[0].x, quad[1].x, quad[2].x, quad[3].x});
+    const auto y = std::minmax({quad[0].y, quad[1].y, quad[2].y, quad[3].y});
+    const double margin = 1e-6; // px; the exact test follows
+    return p.x >= x.first - margin && p.x <= x.second + margin && p.y >= y.first - margin && p.y <= y.second + margin;
+}
+
+/// Fractions of a point by the tangent of a quad at its centre: in which direction the point lies, however far away.
+Point2d affineFractions(const std::array<Point2d, 4>& quad, Point2d p)
+{
+    const Point2d along_u = 0.5 * (quad[1] - quad[0] + quad[3] - quad[2]);
+    const Point2d along_v = 0.5 * (quad[2] - quad[0] + quad[3] - quad[1]);
+    const Point2d offset = p - 0.25 * (quad[0] + quad[1] + quad[2] + quad[3]);
+    const double det = along_u.cross(along_v);
+    return {0.5 + offset.cross(along_v) / det, 0.5 + along_u.cross(offset) / det};
+}
+
+/// The column (or row) `fraction` cells further, at most `reach` and never off the lattice.
+int moveCell(int index, double fraction, double reach, int count)
+{
+    const int move = static_cast<int>(std::min(std::max(std::floor(fraction), -reach), reach));
+    return std::min(std::max(index + move, 0), count - 1);
+}
+
 } // namespace
 
 MeshGrid::MeshGrid(const Lattice& lattice, Point2d origin) : lattice_(lattice), vertices_(lattice.vertexCount())
@@ -52,34 +78,53 @@ bool MeshGrid::invert(Point2d canvas_px, int& hint, CellPoint& point) const
     const int rows = lattice_.rows();
     if (hint < 0 || hint >= lattice_.cellCount())
         hint = (rows / 2) * cols + cols / 2;
-    int col = hint % cols;
-    int row = hint / cols;
-    // Walk: each quad says in which direction the point lies. Twice round the lattice is ample in a mesh without folds.
-    for (int step = 0; step < 2 * (cols + rows); ++step)
+    // Walk: each quad says in which direction the point lies. Far extrapolations of one quad are wild: move at most a
+    // quarter of the lattice at a time. Twice round the lattice is ample.
+    const Point2d reach(cols / 4 + 1, rows / 4 + 1);
+    const int max_steps = 2 * (cols + rows);
+    int step = 0;
+    for (; step < max_steps; ++step)
     {
-        const int cell = row * cols + col;
-        double u = 0;
-        double v = 0;
-        if (!invertBilinear(quadOf(*this, cell), canvas_px, u, v))
-            return false;
-        hint = cell;
-        const bool inside = u >= -BORDER_FRACTION && v >= -BORDER_FRACTION && u <= 1 + BORDER_FRACTION &&
-                            v <= 1 + BORDER_FRACTION;
-        if (inside)
-        {
-            point.cell = cell;
-            point.weight = bilinearWeights(std::min(std::max(u, 0.0), 1.0), std::min(std::max(v, 0.0), 1.0));
+        Point2d fractions;
+        if (findIn(hint, canvas_px, point, fractions))
             return true;
-        }
-        const int next_col = std::min(std::max(col + static_cast<int>(std::floor(u)), 0), cols - 1);
-        const int next_row = std::min(std::max(row + static_cast<int>(std::floor(v)), 0), rows - 1);
-        if (next_col == col && next_row == row)
-            return false;
-        // Far extrapolations of one quad are wild: move at most a quarter of the lattice at a time.
-        col += std::min(std::max(next_col - col, -cols / 4 - 1), cols / 4 + 1);
-        row += std::min(std::max(next_row - row, -rows / 4 - 1), rows / 4 + 1);
+        if (!(std::abs(fractions.x) < 1e9) || !(std::abs(fractions.y) < 1e9))
+            return false; // no such place, or a quad without area
+        const int col = moveCell(hint % cols, fractions.x, reach.x, cols);
+        const int row = moveCell(hint / cols, fractions.y, reach.y, rows);
+        const int next = row * cols + col;
+        if (next == hint)
+            break;
+        hint = next;
     }
+    // A bent mesh may lead the walk to the border beside the point, or round in circles: look around its end.
+    const int ring = step < max_steps ? 2 : std::max(cols, rows);
+    const int centre = hint;
+    for (int row = std::max(centre / cols - ring, 0); row <= std::min(centre / cols + ring, rows - 1); ++row)
+        for (int col = std::max(centre % cols - ring, 0); col <= std::min(centre % cols + ring, cols - 1); ++col)
+        {
+            hint = row * cols + col;
+            Point2d fractions;
+            if (mayHold(quadOf(*this, hint), canvas_px) && findIn(hint, canvas_px, point, fractions))
+                return true;
+        }
+    hint = centre;
     return false;
+}
+
+bool MeshGrid::findIn(int cell, Point2d canvas_px, CellPoint& point, Point2d& fractions) const
+{
+    const auto quad = quadOf(*this, cell);
+    if (!invertBilinear(quad, canvas_px, fractions.x, fractions.y))
+    {
+        fractions = affineFractions(quad, canvas_px);
+        return false;
+    }
+    if (!(std::abs(fractions.x - 0.5) <= 0.5 + BORDER_FRACTION) || !(std::abs(fractions.y - 0.5) <= 0.5 + BORDER_FRACTION))
+        return false;
+    point.cell = cell;
+    point.weight = bilinearWeights(std::min(std::max(fractions.x, 0.0), 1.0), std::min(std::max(fractions.y, 0.0), 1.0));
+    return true;
 }
 
 double MeshGrid::cornerArea(int cell, int corner) const
@@ -131,27 +176,27 @@ double cornerArea(const std::array<Point2d, 4>& quad, int corner)
 
 bool invertBilinear(const std::array<Point2d, 4>& quad, Point2d point, double& u, double& v)
 {
-    // point = a + u b + v c + u v d
-    const Point2d a = quad[0];
+    // point = a + u b + v c + u v d. Crossing point - a - v c with b + v d removes u and leaves
+    // f(v) = p v^2 + q v + r = 0, whose slope at a root is the Jacobian's determinant there. The quad lies on the sheet
+    // where that has the sign it has at the centre: of two roots only one is meant.
     const Point2d b = quad[1] - quad[0];
     const Point2d c = quad[2] - quad[0];
     const Point2d d = quad[3] - quad[1] - c;
-    u = v = 0.5;
-    for (int i = 0; i < 20; ++i)
-    {
-        const Point2d r = a + u * b + v * c + (u * v) * d - point;
-        const Point2d ju = b + v * d;
-        const Point2d jv = c + u * d;
-        const double det = ju.cross(jv);
-        if (!(std::abs(det) > 1e-12))
-            return false;
-        const double step_u = r.cross(jv) / det;
-        const double step_v = ju.cross(r) / det;
-        u -= step_u;
-        v -= step_v;
-        if (std::abs(step_u) + std::abs(step_v) < 1e-12)
-            break;
-    }
+    const Point2d e = point - quad[0];
+    const double det = (b + 0.5 * d).cross(c + 0.5 * d);
+    if (!(std::abs(det) > 1e-12))
+        return false;
+    const double sheet = det > 0 ? 1 : -1;
+    const double p = -sheet * c.cross(d);
+    const double q = sheet * (e.cross(d) - c.cross(b));
+    const double r = sheet * e.cross(b);
+    const double discriminant = q * q - 4 * p * r;
+    if (!(discriminant >= 0))
+        return false;
+    const double root = std::sqrt(discriminant);
+    v = q > 0 ? -2 * r / (q + root) : (root - q) / (2 * p); // the form without cancellation
+    const Point2d along = b + v * d;
+    u = (e - v * c).dot(along) / along.dot(along);
     return std::isfinite(u) && std::isfinite(v);
 }
 

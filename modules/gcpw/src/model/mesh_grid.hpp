@@ -54,6 +54,9 @@ public:
     Rect2d bounds() const;
 
 private:
+    /// Whether a quad covers a canvas point; `fractions` then or else say where the point lies, in cells from its corner.
+    bool findIn(int cell, Point2d canvas_px, CellPoint& point, Point2d& fractions) const;
+
     Lattice lattice_;
     std::vector<Point2d> vertices_;
 };
@@ -61,8 +64,8 @@ private:
 /// Twice the signed area of the corner triangle of a quad whose corners are given in lattice order.
 double cornerArea(const std::array<Point2d, 4>& quad, int corner);
 
-/// Inverts the bilinear map of one quad: fractions (u, v) with point = sum w_k(u, v) quad[k]. False if it has no answer
-/// near the quad.
+/// Inverts the bilinear map of one quad: fractions (u, v) with point = sum w_k(u, v) quad[k], on the sheet the quad
+/// itself lies on. False if there are none.
 bool invertBilinear(const std::array<Point2d, 4>& quad, Point2d point, double& u, double& v);
 
 /// Largest move of a vertex between two meshes over one lattice, canvas pixels.
