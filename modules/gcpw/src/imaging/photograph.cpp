@@ -36,8 +36,13 @@ Photograph toPhotograph(InputArray input, const char* name)
         Mat alpha;
         extractChannel(image, alpha, 3);
         cvtColor(image, photograph.image, COLOR_BGRA2BGR);
-        if (countNonZero(alpha > 127) < static_cast<int>(alpha.total()))
-            photograph.mask = alpha > 127;
+        const Mat valid = alpha > 127;
+        if (countNonZero(valid) < static_cast<int>(valid.total()))
+        {
+            photograph.mask = valid;
+            // Filters look over the border of the mask: what is hidden there must not show through.
+            photograph.image.setTo(Scalar::all(128), valid == 0);
+        }
     }
     return photograph;
 }

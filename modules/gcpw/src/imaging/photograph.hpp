@@ -12,7 +12,7 @@ namespace gcpw
 /// An input image in the one form the module works on.
 struct Photograph
 {
-    Mat image; ///< CV_8UC3 BGR, full resolution
+    Mat image; ///< CV_8UC3 BGR, full resolution; mid-gray where it is not valid
     Mat mask;  ///< CV_8UC1, 255 where valid; empty means everywhere
 };
 
