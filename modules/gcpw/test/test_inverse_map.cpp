@@ -1,0 +1,141 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "test_precomp.hpp"
+
+#include "bent_mesh.hpp"
+#include "model/inverse_map.hpp"
+
+namespace opencv_test { namespace {
+
+using namespace cv::gcpw;
+
+const Lattice LATTICE(Size(160, 120), 8, 6);
+
+TEST(Gcpw_InverseMap, an_identity_mesh_gives_the_identity_map)
+{
+    Mat map;
+    Mat mask;
+    buildInverseMap(MeshGrid(LATTICE), FrameScale(), FrameScale(), Rect(0, 0, 160, 120), map, mask);
+    ASSERT_EQ(map.type(), CV_32FC2);
+    ASSERT_EQ(mask.type(), CV_8UC1);
+    EXPECT_EQ(countNonZero(mask), 160 * 120);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x)
+            ASSERT_LE(cv::norm(map.at<Vec2f>(y, x) - Vec2f(static_cast<float>(x), static_cast<float>(y)), NORM_INF),
+                      1e-5);
+}
+
+TEST(Gcpw_InverseMap, the_map_inverts_the_mesh)
+{
+    const MeshGrid mesh = bentMesh(LATTICE, 5, 1, Point2d(12, -7));
+    const Rect roi = coveredRect(mesh, FrameScale());
+    Mat map;
+    Mat mask;
+    buildInverseMap(mesh, FrameScale(), FrameScale(), roi, map, mask);
+    EXPECT_GT(countNonZero(mask), 160 * 120 * 9 / 10);
+    for (int y = 0; y < roi.height; ++y)
+        for (int x = 0; x < roi.width; ++x)
+            if (mask.at<uchar>(y, x))
+            {
+                const Vec2f p = map.at<Vec2f>(y, x);
+                ASSERT_LT(cv::norm(mesh.warp(Point2d(p[0], p[1])) - Point2d(x + roi.x, y + roi.y)), 1e-3);
+            }
+}
+
+TEST(Gcpw_InverseMap, the_mask_is_exactly_where_the_mesh_covers_the_pixel_centre)
+{
+    const MeshGrid mesh = bentMesh(LATTICE, 5, 2, Point2d(3.3, 4.4));
+    const Rect roi = coveredRect(mesh, FrameScale()) + Point(-5, 3) + Size(10, 0);
+    Mat map;
+    Mat mask;
+    buildInverseMap(mesh, FrameScale(), FrameScale(), roi, map, mask);
+    int hint = -1;
+    CellPoint point;
+    for (int y = 0; y < roi.height; ++y)
+        for (int x = 0; x < roi.width; ++x)
+        {
+            const bool covered = mesh.invert(Point2d(x + roi.x, y + roi.y), hint, point);
+            ASSERT_EQ(mask.at<uchar>(y, x), covered ? 255 : 0) << Point(x, y);
+            if (!covered)
+            {
+                ASSERT_EQ(map.at<Vec2f>(y, x), Vec2f(-1, -1));
+            }
+        }
+}
+
+TEST(Gcpw_InverseMap, neighbouring_quads_leave_no_gap)
+{
+    const MeshGrid mesh = bentMesh(LATTICE, 6, 3);
+    ASSERT_EQ(mesh.countFolds(), 0);
+    Mat map;
+    Mat mask;
+    const Rect middle(20, 20, 120, 80); // every pixel here is covered, whatever the jitter
+    buildInverseMap(mesh, FrameScale(), FrameScale(), middle, map, mask);
+    EXPECT_EQ(countNonZero(mask), middle.area());
+}
+
+TEST(Gcpw_InverseMap, the_covered_rectangle_holds_every_covered_pixel_and_touches_them)
+{
+    const MeshGrid mesh = affineMesh(MeshGrid(LATTICE), Matx22d(0.9, 0, 0, 1.2), Point2d(10.2, -30.6));
+    const Rect rect = coveredRect(mesh, FrameScale());
+    const Rect larger = rect + Point(-3, -3) + Size(6, 6);
+    Mat map;
+    Mat mask;
+    buildInverseMap(mesh, FrameScale(), FrameScale(), larger, map, mask);
+    EXPECT_EQ(boundingRect(mask), Rect(Point(3, 3), rect.size()));
+}
+
+TEST(Gcpw_InverseMap, full_resolution_shows_the_same_warp)
+{
+    const MeshGrid mesh = bentMesh(LATTICE, 4, 4, Point2d(9, 9));
+    const FrameScale canvas(Size(100, 100), Size(250, 300));
+    const FrameScale source(Size(160, 120), Size(480, 240));
+    const Rect roi = coveredRect(mesh, canvas);
+    Mat map;
+    Mat mask;
+    buildInverseMap(mesh, canvas, source, roi, map, mask);
+    for (int y = 0; y < roi.height; y += 3)
+        for (int x = 0; x < roi.width; x += 3)
+            if (mask.at<uchar>(y, x))
+            {
+                const Vec2f p = map.at<Vec2f>(y, x);
+                const Point2d seen = mesh.warp(source.toWork(Point2d(p[0], p[1])));
+                ASSERT_LT(cv::norm(seen - canvas.toWork(Point2d(x + roi.x, y + roi.y))), 1e-3);
+            }
+}
+
+TEST(Gcpw_InverseMap, frame_scales_act_on_pixel_squares)
+{
+    const FrameScale half(Size(50, 100), Size(100, 400));
+    EXPECT_LT(cv::norm(half.toWork(Point2d(-0.5, -0.5)) - Point2d(-0.5, -0.5)), 1e-12);
+    EXPECT_LT(cv::norm(half.toWork(Point2d(99.5, 399.5)) - Point2d(49.5, 99.5)), 1e-12);
+    EXPECT_LT(cv::norm(half.toFull(half.toWork(Point2d(31, 77))) - Point2d(31, 77)), 1e-12);
+}
+
+TEST(Gcpw_InverseMap, one_thread_and_many_give_the_same_bits)
+{
+    const MeshGrid mesh = bentMesh(LATTICE, 5, 5);
+    const FrameScale scale(Size(1, 1), Size(3, 3));
+    const Rect roi = coveredRect(mesh, scale);
+    Mat maps[2];
+    Mat masks[2];
+    const int threads = getNumThreads();
+    for (int i = 0; i < 2; ++i)
+    {
+        setNumThreads(i == 0 ? threads : 1);
+        buildInverseMap(mesh, scale, scale, roi, maps[i], masks[i]);
+    }
+    setNumThreads(threads);
+    EXPECT_EQ(cv::norm(maps[0], maps[1], NORM_INF), 0);
+    EXPECT_EQ(cv::norm(masks[0], masks[1], NORM_INF), 0);
+}
+
+TEST(Gcpw_InverseMap, a_rectangle_beside_the_mesh_stays_empty)
+{
+    Mat map;
+    Mat mask;
+    buildInverseMap(MeshGrid(LATTICE), FrameScale(), FrameScale(), Rect(500, 500, 30, 20), map, mask);
+    EXPECT_EQ(mask.size(), Size(30, 20));
+    EXPECT_EQ(countNonZero(mask), 0);
+}
+
+}} // namespace

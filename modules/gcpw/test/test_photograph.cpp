@@ -1,0 +1,130 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "test_precomp.hpp"
+
+#include "imaging/photograph.hpp"
+#include "seeded.hpp"
+
+namespace opencv_test { namespace {
+
+using namespace cv::gcpw;
+
+Mat randomImage(Size size, int type)
+{
+    Mat image(size, type);
+    seeded(1).fill(image, RNG::UNIFORM, 0, 256);
+    return image;
+}
+
+TEST(Gcpw_Photograph, bgr_is_taken_as_it_is)
+{
+    const Mat image = randomImage(Size(20, 10), CV_8UC3);
+    const Photograph photograph = toPhotograph(image, "source");
+    EXPECT_EQ(cv::norm(photograph.image, image, NORM_INF), 0);
+    EXPECT_TRUE(photograph.mask.empty());
+}
+
+TEST(Gcpw_Photograph, gray_becomes_three_equal_channels)
+{
+    const Mat image = randomImage(Size(20, 10), CV_8UC1);
+    const Photograph photograph = toPhotograph(image, "source");
+    ASSERT_EQ(photograph.image.type(), CV_8UC3);
+    std::vector<Mat> planes;
+    cv::split(photograph.image, planes);
+    for (const Mat& plane : planes)
+        EXPECT_EQ(cv::norm(plane, image, NORM_INF), 0);
+}
+
+TEST(Gcpw_Photograph, sixteen_bits_are_scaled_so_that_white_stays_white)
+{
+    const Mat eight = randomImage(Size(20, 10), CV_8UC3);
+    Mat sixteen;
+    eight.convertTo(sixteen, CV_16U, 257);
+    EXPECT_EQ(cv::norm(toPhotograph(sixteen, "source").image, eight, NORM_INF), 0);
+    const Mat white(4, 4, CV_16UC1, Scalar(65535));
+    EXPECT_EQ(toPhotograph(white, "source").image.at<Vec3b>(0, 0), Vec3b(255, 255, 255));
+}
+
+TEST(Gcpw_Photograph, alpha_above_half_is_valid)
+{
+    Mat image = randomImage(Size(20, 10), CV_8UC4);
+    for (int y = 0; y < image.rows; ++y)
+        for (int x = 0; x < image.cols; ++x)
+            image.at<Vec4b>(y, x)[3] = x < 5 ? 127 : 128;
+    const Photograph photograph = toPhotograph(image, "source");
+    ASSERT_EQ(photograph.image.type(), CV_8UC3);
+    ASSERT_EQ(photograph.mask.type(), CV_8UC1);
+    for (int x = 0; x < image.cols; ++x)
+        EXPECT_EQ(photograph.mask.at<uchar>(3, x), x < 5 ? 0 : 255);
+    const Vec4b in = image.at<Vec4b>(4, 9);
+    EXPECT_EQ(photograph.image.at<Vec3b>(4, 9), Vec3b(in[0], in[1], in[2]));
+}
+
+TEST(Gcpw_Photograph, what_alpha_hides_leaves_no_trace)
+{
+    Mat image = randomImage(Size(20, 10), CV_8UC4);
+    image.at<Vec4b>(2, 2) = Vec4b(1, 2, 3, 0);
+    const Photograph first = toPhotograph(image, "source");
+    image.at<Vec4b>(2, 2) = Vec4b(200, 100, 0, 0);
+    const Photograph second = toPhotograph(image, "source");
+    EXPECT_EQ(cv::norm(first.image, second.image, NORM_INF), 0);
+}
+
+TEST(Gcpw_Photograph, full_alpha_is_no_mask)
+{
+    Mat image = randomImage(Size(20, 10), CV_8UC4);
+    for (int i = 0; i < 200; ++i)
+        image.at<Vec4b>(i / 20, i % 20)[3] = 255;
+    EXPECT_TRUE(toPhotograph(image, "source").mask.empty());
+}
+
+TEST(Gcpw_Photograph, sixteen_bit_alpha_is_a_mask_too)
+{
+    Mat image(6, 6, CV_16UC4, Scalar(1000, 2000, 3000, 65535));
+    image.at<Vec4w>(1, 1)[3] = 0;
+    const Photograph photograph = toPhotograph(image, "source");
+    ASSERT_FALSE(photograph.mask.empty());
+    EXPECT_EQ(countNonZero(photograph.mask), 35);
+}
+
+TEST(Gcpw_Photograph, empty_or_foreign_images_are_refused_by_name)
+{
+    const int sizes[] = {4, 4, 4};
+    for (const Mat& bad : {Mat(), Mat(4, 4, CV_32FC3, Scalar::all(0)), Mat(4, 4, CV_8UC2, Scalar::all(0)),
+                           Mat(4, 4, CV_8SC3, Scalar::all(0)), Mat(3, sizes, CV_8UC1, Scalar::all(0))})
+    {
+        try
+        {
+            toPhotograph(bad, "left");
+            FAIL() << "accepted " << typeToString(bad.type());
+        }
+        catch (const cv::Exception& error)
+        {
+            EXPECT_NE(std::string(error.what()).find("left"), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(Gcpw_Photograph, the_capped_size_keeps_the_shape_and_never_grows)
+{
+    EXPECT_EQ(cappedSize(Size(640, 480), 1), Size(640, 480));
+    EXPECT_EQ(cappedSize(Size(4000, 1000), 1), Size(2000, 500));
+    EXPECT_EQ(cappedSize(Size(1000000, 1), 1e-6), Size(1000, 1));
+    EXPECT_LE(cappedSize(Size(4321, 1234), 0.6).area(), 602000);
+}
+
+TEST(Gcpw_Photograph, resizing_keeps_pixel_squares_in_place_and_shrinks_the_mask_inwards)
+{
+    Photograph photograph;
+    photograph.image = Mat(40, 60, CV_8UC3, Scalar::all(0));
+    photograph.image(Rect(30, 0, 30, 40)).setTo(Scalar::all(200));
+    photograph.mask = Mat(40, 60, CV_8UC1, Scalar(255));
+    photograph.mask(Rect(0, 0, 9, 40)).setTo(0);
+    const Photograph half = resized(photograph, Size(30, 20));
+    EXPECT_EQ(half.image.at<Vec3b>(5, 14), Vec3b(0, 0, 0));
+    EXPECT_EQ(half.image.at<Vec3b>(5, 15), Vec3b(200, 200, 200));
+    EXPECT_EQ(half.mask.at<uchar>(5, 4), 0) << "half of it is outside";
+    EXPECT_EQ(half.mask.at<uchar>(5, 5), 255);
+    EXPECT_EQ(resized(photograph, photograph.image.size()).image.data, photograph.image.data) << "copied for nothing";
+}
+
+}} // namespace

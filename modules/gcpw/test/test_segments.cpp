@@ -1,0 +1,149 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "test_precomp.hpp"
+
+#include "matching/segments.hpp"
+
+namespace opencv_test { namespace {
+
+using namespace cv::gcpw;
+
+const Size2d SAME(1, 1);
+
+Point2d stay(Point2d p)
+{
+    return p;
+}
+
+/// A bright rectangle on dark ground: edges at x = 39.5, 159.5 and y = 29.5, 89.5.
+Mat brightRectangle()
+{
+    Mat gray(140, 200, CV_8UC1, Scalar(60));
+    gray(Rect(40, 30, 120, 60)).setTo(200);
+    return gray;
+}
+
+Segment segment(double x0, double y0, double x1, double y1)
+{
+    return {Point2d(x0, y0), Point2d(x1, y1)};
+}
+
+bool samePlace(const Segment& a, const Segment& b)
+{
+    return a.start == b.start && a.end == b.end;
+}
+
+TEST(Gcpw_Segments, the_sides_of_a_rectangle_are_found)
+{
+    const std::vector<Segment> found = detectSegments(brightRectangle(), SAME, 20);
+    const Segment sides[] = {segment(39.5, 29.5, 159.5, 29.5), segment(39.5, 89.5, 159.5, 89.5),
+                             segment(39.5, 29.5, 39.5, 89.5), segment(159.5, 29.5, 159.5, 89.5)};
+    for (const Segment& side : sides)
+    {
+        int partners = 0;
+        for (const Segment& candidate : found)
+            partners += std::abs(side.line().distance(candidate.start)) < 1.5 &&
+                        std::abs(side.line().distance(candidate.end)) < 1.5 && candidate.length() > 0.7 * side.length();
+        EXPECT_GE(partners, 1) << side.start << side.end;
+    }
+}
+
+TEST(Gcpw_Segments, the_brighter_side_lies_on_one_hand)
+{
+    const Mat gray = brightRectangle();
+    const std::vector<Segment> found = detectSegments(gray, SAME, 20);
+    ASSERT_GE(found.size(), 4u);
+    for (const Segment& s : found)
+    {
+        const Point2d d = s.direction() / s.length();
+        const Point2d left(d.y, -d.x);
+        const Point2d p = s.at(0.5) + 4 * left;
+        const Point2d q = s.at(0.5) - 4 * left;
+        EXPECT_GT(gray.at<uchar>(cvRound(p.y), cvRound(p.x)), gray.at<uchar>(cvRound(q.y), cvRound(q.x)));
+    }
+}
+
+TEST(Gcpw_Segments, an_inverted_picture_turns_every_segment_round)
+{
+    const Mat gray = brightRectangle();
+    const std::vector<Segment> found = detectSegments(gray, SAME, 20);
+    const std::vector<Segment> inverted = detectSegments(255 - gray, SAME, 20);
+    ASSERT_FALSE(found.empty());
+    EXPECT_TRUE(matchSegments(found, inverted, stay, SegmentTolerance()).empty());
+    EXPECT_EQ(matchSegments(found, found, stay, SegmentTolerance()).size(), found.size());
+}
+
+TEST(Gcpw_Segments, they_are_in_rest_pixels_and_longest_first)
+{
+    const std::vector<Segment> same = detectSegments(brightRectangle(), SAME, 20);
+    const std::vector<Segment> scaled = detectSegments(brightRectangle(), Size2d(0.5, 0.5), 10);
+    ASSERT_FALSE(same.empty());
+    ASSERT_EQ(same.size(), scaled.size());
+    for (size_t i = 0; i < same.size(); ++i)
+    {
+        EXPECT_LT(cv::norm(0.5 * (same[i].start + Point2d(0.5, 0.5)) - Point2d(0.5, 0.5) - scaled[i].start), 1e-6);
+        EXPECT_GE(same[i].length(), 20);
+        if (i > 0)
+        {
+            EXPECT_GE(same[i - 1].length(), same[i].length());
+        }
+    }
+}
+
+TEST(Gcpw_Segments, a_flat_or_tiny_picture_has_none)
+{
+    EXPECT_TRUE(detectSegments(Mat(100, 100, CV_8UC1, Scalar(90)), SAME, 20).empty());
+    EXPECT_TRUE(detectSegments(Mat(1, 1, CV_8UC1, Scalar(90)), SAME, 20).empty());
+    EXPECT_TRUE(detectSegments(brightRectangle()(Rect(30, 20, 20, 20)), SAME, 20).empty());
+}
+
+TEST(Gcpw_Segments, partners_are_looked_for_where_they_are_expected)
+{
+    const std::vector<Segment> a = {segment(10, 10, 90, 12), segment(20, 100, 60, 40)};
+    std::vector<Segment> b;
+    for (const Segment& s : a)
+        b.push_back({s.start + Point2d(200, -30), s.end + Point2d(200, -30)});
+    std::swap(b[0], b[1]);
+    EXPECT_TRUE(matchSegments(a, b, stay, SegmentTolerance()).empty());
+    const std::vector<LineMatch> found = matchSegments(
+        a, b, [](Point2d p) { return p + Point2d(200, -30); }, SegmentTolerance());
+    ASSERT_EQ(found.size(), 2u);
+    for (const LineMatch& match : found)
+    {
+        EXPECT_EQ(match.b.start - match.a.start, Point2d(200, -30));
+        EXPECT_NEAR(match.weight, 1, 1e-9);
+    }
+}
+
+TEST(Gcpw_Segments, what_is_too_far_or_turned_or_beside_is_no_partner)
+{
+    const std::vector<Segment> a = {segment(0, 0, 100, 0)};
+    const auto partners = [&](const Segment& b) { return matchSegments(a, {b}, stay, SegmentTolerance()).size(); };
+    EXPECT_EQ(partners(segment(0, 3.9, 100, 3.9)), 1u);
+    EXPECT_EQ(partners(segment(0, 4.1, 100, 4.1)), 0u);
+    EXPECT_EQ(partners(segment(100, 0, 0, 0)), 0u) << "the other hand";
+    EXPECT_EQ(partners(segment(30, -2.5, 70, 2.5)), 0u) << "turned by 7 degrees";
+    EXPECT_EQ(partners(segment(30, -1.5, 70, 1.5)), 1u) << "turned by 4 degrees";
+    EXPECT_EQ(partners(segment(110, 0, 200, 0)), 0u) << "nothing in common";
+    EXPECT_EQ(partners(segment(60, 0, 160, 0)), 0u) << "too little in common";
+    EXPECT_EQ(partners(segment(40, 0, 140, 0)), 1u);
+    EXPECT_EQ(partners(segment(20, 0, 40, 0)), 1u) << "a piece of it";
+}
+
+TEST(Gcpw_Segments, each_is_used_once_by_its_best_partner)
+{
+    const std::vector<Segment> a = {segment(0, 2, 100, 2), segment(0, 0.5, 100, 0.5)};
+    const std::vector<Segment> b = {segment(0, 0, 100, 0)};
+    const std::vector<LineMatch> found = matchSegments(a, b, stay, SegmentTolerance());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_TRUE(samePlace(found[0].a, a[1]));
+}
+
+TEST(Gcpw_Segments, the_weight_is_the_share_in_common)
+{
+    const std::vector<LineMatch> found =
+        matchSegments({segment(0, 0, 100, 0)}, {segment(25, 0, 75, 0)}, stay, SegmentTolerance());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].weight, 0.5, 1e-9);
+}
+
+}} // namespace
