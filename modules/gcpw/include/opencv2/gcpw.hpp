@@ -15,9 +15,11 @@ panorama. Estimation happens at the working resolution (Params::workMegapix), re
 |---|---|
 | params.hpp | Method, Params: every constant |
 | alignment.hpp | Alignment: meshes, colours, report |
+| aligner.hpp | Aligner: any number of roughly aligned images |
 | pair.hpp | alignPair, stitchPair: two photographs |
 */
 
+#include "opencv2/gcpw/aligner.hpp"
 #include "opencv2/gcpw/alignment.hpp"
 #include "opencv2/gcpw/pair.hpp"
 #include "opencv2/gcpw/params.hpp"

@@ -13,7 +13,7 @@ namespace
 
 typedef std::array<double, 2> Pair;
 
-const double CG_TOLERANCE = 1e-5; ///< relative residual in the preconditioned norm; far below one gray level
+const double CG_TOLERANCE = 1e-5; ///< far below one gray level
 const int CG_MAX_ITERATIONS = 1000;
 
 void add(ColorBlock& sum, const ColorBlock& block)
@@ -23,9 +23,9 @@ void add(ColorBlock& sum, const ColorBlock& block)
     sum.bias_bias += block.bias_bias;
 }
 
-Pair multiply(const ColorBlock& block, const Pair& x)
+Pair multiply(const ColorBlock& block, double gain, double bias)
 {
-    return {{block.gain_gain * x[0] + block.gain_bias * x[1], block.gain_bias * x[0] + block.bias_bias * x[1]}};
+    return {{block.gain_gain * gain + block.gain_bias * bias, block.gain_bias * gain + block.bias_bias * bias}};
 }
 
 double determinant(const ColorBlock& block)
@@ -33,54 +33,41 @@ double determinant(const ColorBlock& block)
     return block.gain_gain * block.bias_bias - block.gain_bias * block.gain_bias;
 }
 
-Pair solve2(const ColorBlock& block, const Pair& x)
+Pair solve2(const ColorBlock& block, double gain, double bias)
 {
     const double inverse = 1 / determinant(block);
-    return {{inverse * (block.bias_bias * x[0] - block.gain_bias * x[1]),
-             inverse * (block.gain_gain * x[1] - block.gain_bias * x[0])}};
+    return {{inverse * (block.bias_bias * gain - block.gain_bias * bias),
+             inverse * (block.gain_gain * bias - block.gain_bias * gain)}};
+}
+
+ColorBlock toBlock(const std::array<double, 3>& moments)
+{
+    return {moments[0], moments[1], moments[2]};
 }
 
 } // namespace
 
-ColorSystem::ColorSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& held) : held_(held)
+ColorSystem::ColorSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& held)
 {
     CV_Assert(held.size() == lattices.size());
     first_.push_back(0);
-    for (const Lattice& lattice : lattices)
-        first_.push_back(first_.back() + lattice.cellCount());
-    nodes_.resize(first_.back());
-}
-
-void ColorSystem::setZero()
-{
-    nodes_.assign(nodes_.size(), Node());
-}
-
-void ColorSystem::clearSamples()
-{
-    for (Node& node : nodes_)
+    for (size_t image = 0; image < lattices.size(); ++image)
     {
-        node.samples.fill(ColorBlock());
-        node.right.fill(Pair{});
+        Node node;
+        node.held = held[image];
+        nodes_.insert(nodes_.end(), lattices[image].cellCount(), node);
+        first_.push_back(static_cast<int>(nodes_.size()));
     }
-}
-
-void ColorSystem::clearPulls()
-{
-    for (Node& node : nodes_)
-        node.pull = 0;
 }
 
 void ColorSystem::addDifference(QuadId a, QuadId b, const ColorBlock& block)
 {
-    const int nodes[2] = {nodeOf(a), nodeOf(b)};
-    for (int k = 0; k < 2; ++k)
+    const int edge = static_cast<int>(edges_.size());
+    edges_.push_back({nodeOf(a), nodeOf(b), block});
+    for (const int node : {nodeOf(a), nodeOf(b)})
     {
-        Edge edge;
-        edge.other = nodes[1 - k];
-        edge.block = block;
-        nodes_[nodes[k]].edges.push_back(edge);
-        add(nodes_[nodes[k]].edge_sum, block);
+        nodes_[node].edges.push_back(edge);
+        add(nodes_[node].edge_sum, block);
     }
 }
 
@@ -89,17 +76,53 @@ void ColorSystem::addPull(QuadId quad, double weight)
     nodes_[nodeOf(quad)].pull += weight;
 }
 
+void ColorSystem::clearPulls()
+{
+    for (Node& node : nodes_)
+        node.pull = 0;
+}
+
+void ColorSystem::clearSamples()
+{
+    couplings_.clear();
+    for (Node& node : nodes_)
+    {
+        node.samples.fill(ColorBlock());
+        node.right.fill(Pair{});
+    }
+}
+
 void ColorSystem::addSamples(QuadId quad, const ColoredBlock& block, const ColorGrid::Quad& now)
 {
     Node& node = nodes_[nodeOf(quad)];
     for (int c = 0; c < CHANNELS; ++c)
     {
-        const ColorBlock data{block.color_color[c][0], block.color_color[c][1], block.color_color[c][2]};
-        const Pair present = multiply(data, {{now[c].gain, now[c].bias}});
+        const ColorBlock data = toBlock(block.color_color[c]);
+        const Pair present = gcpw::multiply(data, now[c].gain, now[c].bias);
         add(node.samples[c], data);
         for (int k = 0; k < 2; ++k)
             node.right[c][k] += present[k] - block.color_gradient[c][k];
     }
+}
+
+void ColorSystem::addPartner(QuadId a, const ColorGrid::Quad& now_a, QuadId b, const ColorGrid::Quad& now_b,
+                             const PartnerBlock& block)
+{
+    Node& mine = nodes_[nodeOf(a)];
+    Node& other = nodes_[nodeOf(b)];
+    for (int c = 0; c < CHANNELS; ++c)
+    {
+        const ColorBlock data = toBlock(block.color_color[c]);
+        const Pair present = gcpw::multiply(data, now_b[c].gain, now_b[c].bias);
+        const std::array<double, 4>& cross = block.color_cross[c];
+        add(other.samples[c], data);
+        // The gradients were taken with both colours in place, so both right-hand sides carry the cross part too.
+        other.right[c][0] += present[0] + cross[0] * now_a[c].gain + cross[2] * now_a[c].bias - block.color_gradient[c][0];
+        other.right[c][1] += present[1] + cross[1] * now_a[c].gain + cross[3] * now_a[c].bias - block.color_gradient[c][1];
+        mine.right[c][0] += cross[0] * now_b[c].gain + cross[1] * now_b[c].bias;
+        mine.right[c][1] += cross[2] * now_b[c].gain + cross[3] * now_b[c].bias;
+    }
+    couplings_.push_back({nodeOf(a), nodeOf(b), block.color_cross});
 }
 
 ColorBlock ColorSystem::diagonal(const Node& node, int channel) const
@@ -113,141 +136,158 @@ ColorBlock ColorSystem::diagonal(const Node& node, int channel) const
 
 void ColorSystem::eliminate(QuadId quad, const std::vector<ColorGrid>& now, ColoredBlock& block) const
 {
-    const Node& node = nodes_[nodeOf(quad)];
+    const int index = nodeOf(quad);
+    const Node& node = nodes_[index];
+    if (node.held)
+        return;
+    const ColorGrid& grid = now[quad.image];
     for (int c = 0; c < CHANNELS; ++c)
     {
-        ColorBlock own{block.color_color[c][0], block.color_color[c][1], block.color_color[c][2]};
+        ColorBlock own = toBlock(block.color_color[c]);
         add(own, node.edge_sum);
         own.gain_gain += node.pull;
         own.bias_bias += node.pull;
         if (!(determinant(own) > 0))
             continue; // nothing holds this colour: leave it where it is
-        const ChannelAffine& mine = now[quad.image].quad(quad.cell)[c];
+        const ChannelAffine& mine = grid.quad(quad.cell)[c];
         Pair gradient{{block.color_gradient[c][0] + node.pull * (mine.gain - 1),
                        block.color_gradient[c][1] + node.pull * mine.bias}};
-        for (const Edge& edge : node.edges)
+        for (const int e : node.edges)
         {
-            const ChannelAffine& other = now[quad.image].quad(edge.other - first_[quad.image])[c];
-            const Pair g = multiply(edge.block, {{mine.gain - other.gain, mine.bias - other.bias}});
+            const int neighbour = edges_[e].a == index ? edges_[e].b : edges_[e].a;
+            const ChannelAffine& other = grid.quad(neighbour - first_[quad.image])[c];
+            const Pair g = gcpw::multiply(edges_[e].block, mine.gain - other.gain, mine.bias - other.bias);
             gradient[0] += g[0];
             gradient[1] += g[1];
         }
-        const Pair shift = solve2(own, gradient);
+        const Pair shift = solve2(own, gradient[0], gradient[1]);
         for (int i = 0; i < 8; ++i)
         {
-            const Pair coupling{{block.mesh_color[i][2 * c], block.mesh_color[i][2 * c + 1]}};
-            const Pair solved = solve2(own, coupling);
-            block.mesh_gradient[i] -= coupling[0] * shift[0] + coupling[1] * shift[1];
+            const double gain = block.mesh_color[i][2 * c];
+            const double bias = block.mesh_color[i][2 * c + 1];
+            const Pair solved = solve2(own, gain, bias);
+            block.mesh_gradient[i] -= gain * shift[0] + bias * shift[1];
             for (int j = i; j < 8; ++j)
-                block.mesh_mesh[i][j] -= solved[0] * block.mesh_color[j][2 * c] + solved[1] * block.mesh_color[j][2 * c + 1];
+                block.mesh_mesh[i][j] -=
+                    solved[0] * block.mesh_color[j][2 * c] + solved[1] * block.mesh_color[j][2 * c + 1];
         }
     }
 }
 
-std::vector<Pair> ColorSystem::values(const std::vector<ColorGrid>& grids, int channel) const
+Eigen::VectorXd ColorSystem::values(const std::vector<ColorGrid>& grids, int channel) const
 {
-    std::vector<Pair> x(nodes_.size());
+    Eigen::VectorXd x(2 * nodes_.size());
     for (size_t image = 0; image + 1 < first_.size(); ++image)
         for (int node = first_[image]; node < first_[image + 1]; ++node)
         {
             const ChannelAffine& map = grids[image].quad(node - first_[image])[channel];
-            x[node] = {{map.gain, map.bias}};
+            x[2 * node] = map.gain;
+            x[2 * node + 1] = map.bias;
         }
     return x;
 }
 
-bool ColorSystem::solveChannel(int channel, std::vector<Pair>& x) const
+void ColorSystem::multiply(int channel, const std::vector<ColorBlock>& diagonals, const Eigen::VectorXd& in,
+                           Eigen::VectorXd& out) const
 {
-    // Conjugate gradients with 2 x 2 block Jacobi, from the present colours.
-    const int count = static_cast<int>(nodes_.size());
-    std::vector<bool> free(count, true);
-    for (size_t image = 0; image + 1 < first_.size(); ++image)
-        if (held_[image])
-            std::fill(free.begin() + first_[image], free.begin() + first_[image + 1], false);
-    std::vector<ColorBlock> diagonals(count);
-    for (int i = 0; i < count; ++i)
+    for (size_t i = 0; i < nodes_.size(); ++i)
     {
-        diagonals[i] = diagonal(nodes_[i], channel);
-        if (free[i] && !(determinant(diagonals[i]) > 0))
-            return false;
+        const Pair y = gcpw::multiply(diagonals[i], in[2 * i], in[2 * i + 1]);
+        out[2 * i] = y[0];
+        out[2 * i + 1] = y[1];
     }
-    const auto apply = [&](const std::vector<Pair>& in, int i)
+    for (const Edge& edge : edges_)
     {
-        Pair sum = multiply(diagonals[i], in[i]);
-        for (const Edge& edge : nodes_[i].edges)
-        {
-            const Pair part = multiply(edge.block, in[edge.other]);
-            sum[0] -= part[0];
-            sum[1] -= part[1];
-        }
-        return sum;
-    };
-    std::vector<Pair> r(count, Pair{}), z(count, Pair{}), p(count, Pair{}), q(count, Pair{});
-    double rz = 0;
-    double scale = 0;
-    for (int i = 0; i < count; ++i)
-    {
-        if (!free[i])
-            continue;
-        const Pair ax = apply(x, i);
-        Pair right = nodes_[i].right[channel];
-        right[0] += nodes_[i].pull;
-        r[i] = {{right[0] - ax[0], right[1] - ax[1]}};
-        z[i] = solve2(diagonals[i], r[i]);
-        rz += r[i][0] * z[i][0] + r[i][1] * z[i][1];
-        const Pair scaled = solve2(diagonals[i], right);
-        scale += right[0] * scaled[0] + right[1] * scaled[1];
+        const Pair to_a = gcpw::multiply(edge.block, in[2 * edge.b], in[2 * edge.b + 1]);
+        const Pair to_b = gcpw::multiply(edge.block, in[2 * edge.a], in[2 * edge.a + 1]);
+        out[2 * edge.a] -= to_a[0];
+        out[2 * edge.a + 1] -= to_a[1];
+        out[2 * edge.b] -= to_b[0];
+        out[2 * edge.b + 1] -= to_b[1];
     }
-    p = z;
-    const double stop = CG_TOLERANCE * CG_TOLERANCE * scale;
-    for (int iteration = 0; rz > stop && iteration < CG_MAX_ITERATIONS; ++iteration)
+    for (const Coupling& coupling : couplings_)
     {
-        double curvature = 0;
-        for (int i = 0; i < count; ++i)
-            if (free[i])
-            {
-                q[i] = apply(p, i);
-                curvature += p[i][0] * q[i][0] + p[i][1] * q[i][1];
-            }
-        if (!(curvature > 0))
-            return false;
-        const double alpha = rz / curvature;
-        double next = 0;
-        for (int i = 0; i < count; ++i)
-        {
-            if (!free[i])
-                continue;
-            for (int k = 0; k < 2; ++k)
-            {
-                x[i][k] += alpha * p[i][k];
-                r[i][k] -= alpha * q[i][k];
-            }
-            z[i] = solve2(diagonals[i], r[i]);
-            next += r[i][0] * z[i][0] + r[i][1] * z[i][1];
-        }
-        const double beta = next / rz;
-        rz = next;
-        for (int i = 0; i < count; ++i)
-            for (int k = 0; k < 2; ++k)
-                p[i][k] = z[i][k] + beta * p[i][k];
+        const std::array<double, 4>& m = coupling.block[channel];
+        const int a = 2 * coupling.a;
+        const int b = 2 * coupling.b;
+        out[a] += m[0] * in[b] + m[1] * in[b + 1];
+        out[a + 1] += m[2] * in[b] + m[3] * in[b + 1];
+        out[b] += m[0] * in[a] + m[2] * in[a + 1];
+        out[b + 1] += m[1] * in[a] + m[3] * in[a + 1];
     }
-    return std::isfinite(rz);
 }
 
-bool ColorSystem::solve(std::vector<ColorGrid>& grids) const
+SolveStatus ColorSystem::solveChannel(int channel, Eigen::VectorXd& x) const
 {
-    std::array<std::vector<Pair>, CHANNELS> solution;
+    // Solved for the change from x, which is zero on the nodes that are held.
+    const size_t count = nodes_.size();
+    std::vector<ColorBlock> diagonals(count);
+    for (size_t i = 0; i < count; ++i)
+    {
+        diagonals[i] = diagonal(nodes_[i], channel);
+        if (!nodes_[i].held && !(determinant(diagonals[i]) > 0))
+            return SolveStatus::NotPositiveDefinite;
+    }
+    const auto clearHeld = [&](Eigen::VectorXd& v)
+    {
+        for (size_t i = 0; i < count; ++i)
+            if (nodes_[i].held)
+                v[2 * i] = v[2 * i + 1] = 0;
+    };
+    Eigen::VectorXd right(2 * count);
+    for (size_t i = 0; i < count; ++i)
+    {
+        right[2 * i] = nodes_[i].right[channel][0] + nodes_[i].pull;
+        right[2 * i + 1] = nodes_[i].right[channel][1];
+    }
+    const auto product = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out)
+    {
+        multiply(channel, diagonals, in, out);
+        clearHeld(out);
+    };
+    const auto blockJacobi = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out)
+    {
+        for (size_t i = 0; i < count; ++i)
+        {
+            const Pair y = nodes_[i].held ? Pair{} : solve2(diagonals[i], in[2 * i], in[2 * i + 1]);
+            out[2 * i] = y[0];
+            out[2 * i + 1] = y[1];
+        }
+    };
+    // Held colours act on the others through the right-hand side; as unknowns they are zero.
+    Eigen::VectorXd held = x;
+    for (size_t i = 0; i < count; ++i)
+        if (!nodes_[i].held)
+            held[2 * i] = held[2 * i + 1] = 0;
+    Eigen::VectorXd moved(2 * count);
+    multiply(channel, diagonals, held, moved);
+    right -= moved;
+    clearHeld(right);
+    Eigen::VectorXd unknown = x - held;
+    const SolveStatus status =
+        conjugateGradient(right, unknown, product, blockJacobi, CG_TOLERANCE, CG_MAX_ITERATIONS);
+    x = unknown + held;
+    return status;
+}
+
+SolveStatus ColorSystem::solve(std::vector<ColorGrid>& grids) const
+{
+    SolveStatus status = SolveStatus::Solved;
+    std::array<Eigen::VectorXd, CHANNELS> solution;
     for (int c = 0; c < CHANNELS; ++c)
     {
         solution[c] = values(grids, c);
-        if (!solveChannel(c, solution[c]))
-            return false;
+        const SolveStatus channel = solveChannel(c, solution[c]);
+        if (channel == SolveStatus::NotPositiveDefinite || !solution[c].allFinite())
+            return SolveStatus::NotPositiveDefinite;
+        if (channel == SolveStatus::NotConverged)
+            status = channel;
     }
     for (size_t image = 0; image + 1 < first_.size(); ++image)
-        for (int node = first_[image]; !held_[image] && node < first_[image + 1]; ++node)
+        for (int node = first_[image]; !nodes_[first_[image]].held && node < first_[image + 1]; ++node)
             for (int c = 0; c < CHANNELS; ++c)
-                grids[image].quad(node - first_[image])[c] = {solution[c][node][0], solution[c][node][1]};
-    return true;
+                grids[image].quad(node - first_[image])[c] = {solution[c][2 * node], solution[c][2 * node + 1]};
+    return status;
 }
 
 double ColorSystem::regularEnergy(const std::vector<ColorGrid>& grids) const
@@ -255,16 +295,15 @@ double ColorSystem::regularEnergy(const std::vector<ColorGrid>& grids) const
     double energy = 0;
     for (int c = 0; c < CHANNELS; ++c)
     {
-        const std::vector<Pair> x = values(grids, c);
+        const Eigen::VectorXd x = values(grids, c);
         for (size_t i = 0; i < nodes_.size(); ++i)
+            energy += nodes_[i].pull * ((x[2 * i] - 1) * (x[2 * i] - 1) + x[2 * i + 1] * x[2 * i + 1]);
+        for (const Edge& edge : edges_)
         {
-            energy += nodes_[i].pull * ((x[i][0] - 1) * (x[i][0] - 1) + x[i][1] * x[i][1]);
-            for (const Edge& edge : nodes_[i].edges)
-            {
-                const Pair d{{x[i][0] - x[edge.other][0], x[i][1] - x[edge.other][1]}};
-                const Pair md = multiply(edge.block, d);
-                energy += 0.5 * (d[0] * md[0] + d[1] * md[1]); // every edge stands at both its ends
-            }
+            const double gain = x[2 * edge.a] - x[2 * edge.b];
+            const double bias = x[2 * edge.a + 1] - x[2 * edge.b + 1];
+            const Pair product = gcpw::multiply(edge.block, gain, bias);
+            energy += gain * product[0] + bias * product[1];
         }
     }
     return energy;

@@ -8,15 +8,15 @@ namespace gcpw
 
 JointSystem::JointSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& mesh_held,
                          const std::vector<bool>& color_held)
-    : lattices_(lattices), color_held_(color_held), meshes_(lattices, mesh_held), colors_(lattices, color_held)
+    : lattices_(lattices), meshes_(lattices, mesh_held), colors_(lattices, color_held)
 {
 }
 
 void JointSystem::setZero()
 {
     meshes_.setZero();
-    colors_.clearSamples();
     colored_.clear();
+    partners_.clear();
     eliminated_ = false;
 }
 
@@ -40,16 +40,36 @@ void JointSystem::addColored(QuadId quad, const ColoredBlock& block)
     colored_.push_back({quad, block});
 }
 
-void JointSystem::addCross(QuadId a, QuadId b, const QuadBlock& block)
+void JointSystem::addPartner(QuadId a, QuadId b, const PartnerBlock& block)
 {
-    meshes_.addCross(a, b, block);
+    partners_.push_back({a, b, block});
 }
 
-bool JointSystem::solveColors(std::vector<ColorGrid>& colors)
+void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors)
 {
     colors_.clearSamples();
     for (const Colored& item : colored_)
-        colors_.addSamples(item.quad, item.block, colors[item.quad.image].quad(item.quad.cell));
+    {
+        ColoredBlock moved = item.block;
+        const int vertices = step ? static_cast<int>((*step)[item.quad.image].size()) : 0;
+        for (int i = 0; vertices > 0 && i < 8; ++i)
+        {
+            const Point2d vertex = (*step)[item.quad.image][lattices_[item.quad.image].vertexOf(item.quad.cell, i >> 1)];
+            const double d = (i & 1) ? vertex.y : vertex.x;
+            for (int c = 0; c < CHANNELS; ++c)
+                for (int k = 0; k < 2; ++k)
+                    moved.color_gradient[c][k] += item.block.mesh_color[i][2 * c + k] * d;
+        }
+        colors_.addSamples(item.quad, moved, colors[item.quad.image].quad(item.quad.cell));
+    }
+    for (const Partner& item : partners_)
+        colors_.addPartner(item.a, colors[item.a.image].quad(item.a.cell), item.b,
+                           colors[item.b.image].quad(item.b.cell), item.block);
+}
+
+SolveStatus JointSystem::solveColors(std::vector<ColorGrid>& colors)
+{
+    gatherSamples(nullptr, colors);
     return colors_.solve(colors);
 }
 
@@ -60,34 +80,19 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
         for (const Colored& item : colored_)
         {
             ColoredBlock block = item.block;
-            if (!color_held_[item.quad.image])
-                colors_.eliminate(item.quad, colors, block);
+            colors_.eliminate(item.quad, colors, block);
             meshes_.addColored(item.quad, block);
         }
+        for (const Partner& item : partners_)
+            meshes_.addPartner(item.a, item.b, item.block);
         eliminated_ = true;
     }
     return meshes_.solve(step);
 }
 
-bool JointSystem::solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors)
+SolveStatus JointSystem::solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors)
 {
-    colors_.clearSamples();
-    for (const Colored& item : colored_)
-    {
-        if (color_held_[item.quad.image])
-            continue;
-        ColoredBlock moved = item.block;
-        const std::vector<Point2d>& shift = step[item.quad.image];
-        for (int i = 0; !shift.empty() && i < 8; ++i)
-        {
-            const Point2d vertex = shift[lattices_[item.quad.image].vertexOf(item.quad.cell, i >> 1)];
-            const double d = (i & 1) ? vertex.y : vertex.x;
-            for (int c = 0; c < CHANNELS; ++c)
-                for (int k = 0; k < 2; ++k)
-                    moved.color_gradient[c][k] += item.block.mesh_color[i][2 * c + k] * d;
-        }
-        colors_.addSamples(item.quad, moved, colors[item.quad.image].quad(item.quad.cell));
-    }
+    gatherSamples(&step, colors);
     return colors_.solve(colors);
 }
 

@@ -32,17 +32,17 @@ public:
                 double weight) override;
     void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) override;
     void addColored(QuadId quad, const ColoredBlock& block) override;
-    void addCross(QuadId a, QuadId b, const QuadBlock& block) override;
+    void addPartner(QuadId a, QuadId b, const PartnerBlock& block) override;
     void addDamping(double weight) { meshes_.addDamping(weight); }
 
-    /// The colours that are best while the meshes stand still (eq. initialfunction). False if there is no answer.
-    bool solveColors(std::vector<ColorGrid>& colors);
+    /// The colours that are best while the meshes stand still (eq. initialfunction); unchanged if there is no answer.
+    SolveStatus solveColors(std::vector<ColorGrid>& colors);
 
     /// The mesh step; may be called again after further blocks were added.
     SolveStatus solveMeshes(const std::vector<ColorGrid>& colors, MeshStep& step);
 
-    /// The colours that are best after a mesh step, by the linearisation. False if there is no answer.
-    bool solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors);
+    /// The colours that are best after a mesh step, by the linearisation; unchanged if there is no answer.
+    SolveStatus solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors);
 
 private:
     struct Colored
@@ -51,10 +51,18 @@ private:
         ColoredBlock block;
     };
     std::vector<Lattice> lattices_;
-    std::vector<bool> color_held_;
     MeshSystem meshes_;
     ColorSystem colors_;
+    struct Partner
+    {
+        QuadId a;
+        QuadId b;
+        PartnerBlock block;
+    };
+    void gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors);
+
     std::vector<Colored> colored_;
+    std::vector<Partner> partners_;
     bool eliminated_ = false;
 };
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <vector>
+#include "energy/conjugate_gradient.hpp"
 #include "energy/residual_sink.hpp"
 #include "geometry/lattice.hpp"
 
@@ -12,20 +13,17 @@ namespace cv
 namespace gcpw
 {
 
+class QuadMatrix;
+
 /// One vertex step per vertex of every image; empty for an image that is held.
 typedef std::vector<std::vector<Point2d>> MeshStep;
 
-enum class SolveStatus
-{
-    Solved,
-    NotPositiveDefinite, ///< the data and the regularisers leave a motion free, or are not finite
-    NotConverged         ///< the iteration over coupled images ran out; the step is still a descent step
-};
-
 /** @brief Normal equations of all mesh vertices of all images (a Gauss-Newton step), assembled quad by quad.
 
-Every term of GCPW lives in one quad, so the matrix is a sum of 8 x 8 blocks; an image is a block-tridiagonal system
-and images are tied by cross blocks of quad pairs. Colour unknowns are eliminated before they get here (ColorSystem). */
+Every term of GCPW lives in one quad of each image it meets. So the matrix is a sum of 8 x 8 blocks: those of one image
+make a block-tridiagonal system, those between quads of two images tie them together. Images without ties are solved
+directly, else conjugate gradients run over all images with each image's own factor as the preconditioner: work is linear
+in overlapping pairs, memory in images. Colour is not known here (see JointSystem). */
 class MeshSystem : public ResidualSink
 {
 public:
@@ -38,21 +36,31 @@ public:
     void addRow(QuadId a, const QuadRow& row_a, QuadId b, const QuadRow& row_b, double residual,
                 double weight) override;
     void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) override;
+    /// Takes the mesh part only.
     void addColored(QuadId quad, const ColoredBlock& block) override;
-    void addCross(QuadId a, QuadId b, const QuadBlock& block) override;
+    /// Takes the mesh part only.
+    void addPartner(QuadId a, QuadId b, const PartnerBlock& block) override;
 
-    /// weight * |step of vertex|^2 for every vertex of every moving image: keeps motions finite that no term feels.
+    /// weight * |step|^2 for every vertex: keeps motions finite that no term feels.
     void addDamping(double weight);
 
     /// Minimises the summed energy; `step` is set unless NotPositiveDefinite is returned.
     SolveStatus solve(MeshStep& step);
 
 private:
-    struct Image;
-    struct Cross;
+    struct Tie
+    {
+        QuadId a;
+        QuadId b;
+        QuadBlock block; ///< rows of a, columns of b
+    };
+    bool held(QuadId quad) const { return !matrices_[quad.image]; }
+    void tie(QuadId a, QuadId b, const QuadBlock& block);
+    void multiply(const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
 
-    std::vector<Image> images_;
-    std::vector<Cross> cross_;
+    std::vector<std::unique_ptr<QuadMatrix>> matrices_; ///< null where held
+    std::vector<int> offsets_;                          ///< first column of every image, and one past the last
+    std::vector<Tie> ties_;
 };
 
 } // namespace gcpw

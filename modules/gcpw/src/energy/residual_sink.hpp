@@ -36,13 +36,24 @@ struct ColoredBlock
     int samples = 0;
 };
 
+/** @brief What the same samples say about one quad of the image they are compared with, where that moves too. */
+struct PartnerBlock
+{
+    QuadBlock cross{};                                     ///< J_mesh^T J_partner_mesh, all 64 numbers
+    QuadBlock mesh_mesh{};                                 ///< of the partner, upper triangle
+    QuadRow mesh_gradient{};                               ///< of the partner
+    std::array<std::array<double, 4>, 3> color_cross{};    ///< per channel: gain-gain', gain-bias', bias-gain', bias-bias'
+    std::array<std::array<double, 3>, 3> color_color{};    ///< of the partner
+    std::array<std::array<double, 2>, 3> color_gradient{}; ///< of the partner
+};
+
 /** @brief Where terms pour what they know: weighted squared residuals, as rows or as small summed blocks.
 
-A term never learns what becomes of them. Rows of a moving image are dropped by the receiver if that image is held. */
+A term never learns what becomes of them. Rows of an image that is held are dropped by the receiver. */
 class ResidualSink
 {
 public:
-    virtual ~ResidualSink() {}
+    virtual ~ResidualSink() = default;
 
     /// weight * (residual + row . d)^2
     virtual void addRow(QuadId quad, const QuadRow& row, double residual, double weight) = 0;
@@ -57,8 +68,8 @@ public:
     /// The same with the colour of that quad as further unknowns.
     virtual void addColored(QuadId quad, const ColoredBlock& block) = 0;
 
-    /// Coupling d_a^T block d_b (all 64 numbers) between quads of two moving images.
-    virtual void addCross(QuadId a, QuadId b, const QuadBlock& block) = 0;
+    /// The partner's side of samples whose own side went to addColored(a, ..).
+    virtual void addPartner(QuadId a, QuadId b, const PartnerBlock& block) = 0;
 };
 
 /// Takes everything and keeps nothing: for energies alone.
@@ -69,7 +80,7 @@ public:
     void addRow(QuadId, const QuadRow&, QuadId, const QuadRow&, double, double) override {}
     void addBlock(QuadId, const QuadBlock&, const QuadRow&, double) override {}
     void addColored(QuadId, const ColoredBlock&) override {}
-    void addCross(QuadId, QuadId, const QuadBlock&) override {}
+    void addPartner(QuadId, QuadId, const PartnerBlock&) override {}
 };
 
 } // namespace gcpw

@@ -107,11 +107,11 @@ private:
 
 } // namespace
 
-Keypoints detectKeypoints(const Mat& gray, Size2d to_rest, double contrast_threshold)
+Keypoints detectKeypoints(const Mat& gray, const Mat& mask, Size2d to_rest, double contrast_threshold)
 {
     const Ptr<SIFT> sift = SIFT::create(0, 3, contrast_threshold, 10, 1.6, CV_8U);
     std::vector<KeyPoint> found;
-    sift->detect(gray, found);
+    sift->detect(gray, found, mask);
     // A total order, so that the result never depends on how the detector was scheduled.
     std::sort(found.begin(), found.end(), [](const KeyPoint& p, const KeyPoint& q)
     {

@@ -20,10 +20,10 @@ struct Keypoints
 };
 
 /** @brief SIFT keypoints of an image.
-@param gray CV_8UC1
+@param gray CV_8UC1  @param mask CV_8UC1 of its size, keypoints only where non-zero; empty means everywhere
 @param to_rest from pixels of `gray` to rest pixels: rest = (p + 0.5) * to_rest - 0.5
 @param contrast_threshold of SIFT; OpenCV's 0.04 loses most keypoints of a dark photograph */
-Keypoints detectKeypoints(const Mat& gray, Size2d to_rest, double contrast_threshold);
+Keypoints detectKeypoints(const Mat& gray, const Mat& mask, Size2d to_rest, double contrast_threshold);
 
 /// A match found, with the index of its keypoints and its quality.
 struct KeypointMatch

@@ -1,10 +1,20 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "pipeline/fold_guard.hpp"
 
+#include <algorithm>
+
 namespace cv
 {
 namespace gcpw
 {
+
+namespace
+{
+
+const int PATIENCE = 8;    ///< halvings of a vertex before it is stopped
+const int MAX_ROUNDS = 40; ///< then nothing moves
+
+} // namespace
 
 FoldGuard::FoldGuard(const MeshGrid& rough, double min_share)
 {
@@ -28,17 +38,23 @@ std::vector<int> FoldGuard::violated(const MeshGrid& mesh, const std::vector<Poi
     return cells;
 }
 
-double FoldGuard::allowed(const MeshGrid& mesh, const std::vector<Point2d>& step) const
+void FoldGuard::shorten(const MeshGrid& mesh, std::vector<Point2d>& step) const
 {
-    std::vector<Point2d> part = step;
-    for (double share = 1; share > 1e-3; share *= 0.5)
+    for (int round = 0; round < MAX_ROUNDS; ++round)
     {
-        if (violated(mesh, part).empty())
-            return share;
-        for (Point2d& p : part)
-            p *= 0.5;
+        const std::vector<int> cells = violated(mesh, step);
+        if (cells.empty())
+            return;
+        std::vector<bool> halve(step.size(), false);
+        for (int cell : cells)
+            for (int k = 0; k < 4; ++k)
+                halve[mesh.lattice().vertexOf(cell, k)] = true;
+        const double factor = round < PATIENCE ? 0.5 : 0;
+        for (size_t i = 0; i < step.size(); ++i)
+            if (halve[i])
+                step[i] *= factor;
     }
-    return 0;
+    std::fill(step.begin(), step.end(), Point2d());
 }
 
 MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step, double share)

@@ -13,7 +13,7 @@ namespace gcpw
 /** @brief Keeps a mesh one-to-one: no corner of a quad may shrink below a share of its area in the rough mesh.
 
 A bilinear quad folds exactly where the triangle at one of its corners turns over; with every corner above a positive
-bound no step that passes allowed() can ever lead to a fold. */
+bound no step that passes shorten() can ever lead to a fold. */
 class FoldGuard
 {
 public:
@@ -22,8 +22,8 @@ public:
     /// The quads that a step would bring below the bound.
     std::vector<int> violated(const MeshGrid& mesh, const std::vector<Point2d>& step) const;
 
-    /// The largest share of a step, halved as often as needed, that violates nothing; 0 if none does.
-    double allowed(const MeshGrid& mesh, const std::vector<Point2d>& step) const;
+    /// Shortens the step of the vertices around violated quads, and of no others, until nothing is violated.
+    void shorten(const MeshGrid& mesh, std::vector<Point2d>& step) const;
 
 private:
     std::vector<double> bound_; ///< four per quad

@@ -3,16 +3,11 @@
 #define OPENCV_GCPW_OPTIMIZER_HPP
 
 #include <functional>
-#include <memory>
+#include <vector>
 #include "energy/joint_system.hpp"
 #include "opencv2/gcpw/alignment.hpp"
-#include "opencv2/gcpw/params.hpp"
 #include "pipeline/fold_guard.hpp"
-#include "pipeline/problem.hpp"
-#include "pipeline/recipe.hpp"
-#include "terms/line_term.hpp"
-#include "terms/photometric_term.hpp"
-#include "terms/point_term.hpp"
+#include "pipeline/level_terms.hpp"
 #include "terms/similarity_term.hpp"
 
 namespace cv
@@ -20,45 +15,61 @@ namespace cv
 namespace gcpw
 {
 
-/// Called between iterations with the share of the work done, 0..1; false cancels.
+/// Called before every iteration with the share of the work done, 0..1; false cancels.
 typedef std::function<bool(double)> StepCallback;
 
 enum class OptimizeStatus
 {
     Done,
-    Singular, ///< the last good state is kept
-    Cancelled
+    MatchesSingular, ///< the matches leave the meshes free: nothing was changed
+    PixelsSingular,  ///< a level with pixels had no answer: the last good state is kept
+    Cancelled        ///< the last good state is kept
 };
 
-/** @brief Minimises the GCPW energy (eq. totalfunction) from coarse to fine. */
+/** @brief Minimises the GCPW energy (eq. totalfunction) of a recipe.
+
+1. Matches alone, their loss narrowing from wide to strict: methods without pixels end here.
+2. The pyramid, coarse to fine: colours first (eq. initialfunction), then Gauss-Newton steps on meshes and colours.
+3. Regions that the pixels made worse than the matches had them are anchored there, and the finest level runs again.
+
+No step folds a quad, and no accepted step raises the energy. */
 class Optimizer
 {
 public:
-    Optimizer(const Problem& problem, const Params& params);
+    /// @param problem must outlive the optimiser
+    Optimizer(const Problem& problem, const Recipe& recipe, const Params& params);
 
-    /// Runs the recipe; `states` holds the start and receives the result.
-    OptimizeStatus run(const Recipe& recipe, std::vector<ImageState>& states, std::vector<LevelReport>& report,
-                       const StepCallback& progress);
+    /// @param states the start; receives the result  @param report one entry per level run
+    OptimizeStatus run(std::vector<ImageState>& states, std::vector<LevelReport>& report, const StepCallback& progress);
 
 private:
-    struct Level;
-    struct Poured
+    enum class LevelEnd
     {
-        TermEnergies energies;
-        double rest = 0; ///< all but the similarity term
+        Done,
+        Singular,
+        Cancelled
     };
 
-    Poured pour(const Level& level, const std::vector<ImageState>& states);
-    OptimizeStatus runLevel(Level& level, std::vector<ImageState>& states, LevelReport& report,
-                            const std::function<bool()>& keep_going);
-    void setColorRest(const std::vector<PhotometricTerm>& pixels, const std::vector<ImageState>& states);
-    SolveStatus guardedStep(const std::vector<ImageState>& states, const std::vector<ColorGrid>& colors, MeshStep& step);
+    LevelEnd fitMatches(LevelTerms& terms, std::vector<ImageState>& states, LevelReport& report);
+    OptimizeStatus runPyramid(LevelTerms& terms, std::vector<ImageState>& states, std::vector<LevelReport>& report);
+    LevelEnd runLevel(const LevelTerms& terms, std::vector<ImageState>& states, int max_iterations, LevelReport& report);
+    bool anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states, const std::vector<ImageState>& start);
+
+    TermEnergies pour(const LevelTerms& terms, const std::vector<ImageState>& states);
+    SolveStatus safeStep(const std::vector<ImageState>& states, MeshStep& step);
+    double similarityEnergy(const std::vector<ImageState>& states) const;
+    void setColorRest(const LevelTerms& terms, const std::vector<ImageState>& states);
+    bool tick();
 
     const Problem& problem_;
+    Recipe recipe_;
     Params params_;
     JointSystem system_;
     std::vector<SimilarityTerm> similarity_;
     std::vector<FoldGuard> guards_;
+    StepCallback progress_;
+    int ticks_ = 0;
+    int expected_ticks_ = 1;
 };
 
 } // namespace gcpw

@@ -1,14 +1,11 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "opencv2/gcpw/pair.hpp"
 
-#include <opencv2/core/utils/logger.hpp>
 #include "geometry/homography.hpp"
 #include "imaging/photograph.hpp"
-#include "imaging/score.hpp"
 #include "matching/rough_alignment.hpp"
-#include "model/inverse_map.hpp"
-#include "pipeline/optimizer.hpp"
 #include "pipeline/pair_matcher.hpp"
+#include "pipeline/result.hpp"
 
 namespace cv
 {
@@ -18,28 +15,50 @@ namespace gcpw
 namespace
 {
 
-double millisecondsSince(int64 start)
+/// One of the two photographs on its way through the stages.
+struct Side
 {
-    return 1000.0 * static_cast<double>(getTickCount() - start) / getTickFrequency();
+    Photograph full;
+    Photograph work;
+    Features features;
+
+    Size workSize() const { return work.image.size(); }
+};
+
+Side prepare(InputArray input, const char* name, const Params& params)
+{
+    Side side;
+    side.full = toPhotograph(input, name);
+    const Size size = side.full.image.size();
+    side.work = resized(side.full, cappedSize(size, params.workMegapix));
+    return side;
 }
 
-Mat toMat(const MeshGrid& mesh)
+void findFeatures(Side& side, const Params& params)
 {
-    Mat result(mesh.lattice().rows() + 1, mesh.lattice().cols() + 1, CV_64FC2);
-    for (int i = 0; i < mesh.lattice().vertexCount(); ++i)
-        result.at<Vec2d>(i / result.cols, i % result.cols) = Vec2d(mesh.vertices()[i].x, mesh.vertices()[i].y);
-    return result;
+    const Photograph photograph = resized(side.full, cappedSize(side.full.image.size(), params.featureMegapix));
+    side.features = detectFeatures(photograph.image, photograph.mask, side.workSize(), params);
 }
 
-Alignment::Image toImage(const ImageState& state, const MeshGrid& rough, Size full)
+/// The source's lattice carried through the homography, and the target's at rest.
+Problem roughProblem(const Side& source, const Side& target, const Matx33d& target_from_source, const Params& params)
 {
-    Alignment::Image image;
-    image.full_size = full;
-    image.work_size = state.mesh.lattice().imageSize();
-    image.mesh = toMat(state.mesh);
-    image.rough = toMat(rough);
-    image.color = state.color.toMat();
-    return image;
+    Problem problem;
+    problem.images.resize(2);
+    MeshGrid& moving = problem.images[0].rough;
+    moving = MeshGrid(Lattice(source.workSize(), params.meshCols, params.meshRows));
+    for (Point2d& vertex : moving.vertices())
+        vertex = applyHomography(target_from_source, vertex);
+    problem.images[1].rough = MeshGrid(Lattice(target.workSize(), params.meshCols, params.meshRows));
+    problem.images[1].held = true;
+    return problem;
+}
+
+Alignment failure(Report report, Status status, const std::string& message)
+{
+    report.status = status;
+    report.message = message;
+    return Alignment(std::vector<Alignment::Image>(), Size2d(1, 1), report);
 }
 
 } // namespace
@@ -48,85 +67,50 @@ Alignment alignPair(InputArray source_input, InputArray target_input, const Para
 {
     params.check();
     const int64 start = getTickCount();
-    const Photograph full[2] = {toPhotograph(source_input, "source"), toPhotograph(target_input, "target")};
-    const auto report_progress = [&](const char* stage, double share) { return !progress || progress(stage, share); };
+    Side source = prepare(source_input, "source", params);
+    Side target = prepare(target_input, "target", params);
+    const auto go_on = [&](const char* stage, double share) { return !progress || progress(stage, share); };
     Report report;
-    Photograph work[2];
-    Features features[2];
+
     int64 tick = getTickCount();
-    for (int i = 0; i < 2; ++i)
+    for (Side* side : {&source, &target})
     {
-        report_progress("features", 0.5 * i);
-        const Size size = full[i].image.size();
-        work[i] = resized(full[i], cappedSize(size, params.workMegapix));
-        features[i] = detectFeatures(resized(full[i], cappedSize(size, params.featureMegapix)).image,
-                                     work[i].image.size(), params);
+        if (!go_on("features", side == &source ? 0 : 0.5))
+            return failure(report, Status::CANCELLED, "cancelled before a rough alignment was found");
+        findFeatures(*side, params);
     }
     report.timings_ms.features = millisecondsSince(tick);
+
     tick = getTickCount();
-    report_progress("homography", 0);
-    const RoughAlignment rough = alignRoughly(features[0].keypoints, features[1].keypoints, features[0].segments,
-                                              features[1].segments, work[0].image.size());
+    if (!go_on("homography", 0))
+        return failure(report, Status::CANCELLED, "cancelled before a rough alignment was found");
+    const RoughAlignment rough = alignRoughly(source.features.keypoints, target.features.keypoints, source.features.segments,
+                                              target.features.segments, source.workSize());
     if (!rough.found)
-    {
-        report.status = Status::NO_ALIGNMENT;
-        report.message = format("no alignment: %d keypoint matches, %d of them agree on a plausible homography, %d are needed",
-                                rough.tentative, rough.inliers, MIN_MATCHES);
-        return Alignment({}, Size2d(1, 1), report);
-    }
-    const Lattice lattice_a(work[0].image.size(), params.meshCols, params.meshRows);
-    const Lattice lattice_b(work[1].image.size(), params.meshCols, params.meshRows);
-    std::vector<ImageState> states(2);
-    states[0].mesh = MeshGrid(lattice_a);
-    for (Point2d& v : states[0].mesh.vertices())
-        v = applyHomography(rough.b_from_a, v);
-    states[1].mesh = MeshGrid(lattice_b);
-    states[0].color = ColorGrid(lattice_a);
-    states[1].color = ColorGrid(lattice_b);
-    Problem problem;
-    problem.images.resize(2);
-    for (int i = 0; i < 2; ++i)
-        problem.images[i].rough = states[i].mesh;
-    problem.images[1].held = true;
+        return failure(report, Status::NO_ALIGNMENT,
+                       format("no alignment: %d keypoint matches, of which %d agree on a plausible homography; %d are needed",
+                              rough.tentative, rough.inliers, MIN_MATCHES));
+    Problem problem = roughProblem(source, target, rough.b_from_a, params);
     const Recipe recipe = recipeOf(params.method);
     ProblemPair pair;
     pair.a = 0;
     pair.b = 1;
-    MeshGrid fitted;
-    pair.matches = matchPair(features[0], features[1], states[0].mesh, states[1].mesh, params, recipe, fitted);
+    pair.matches = matchPair(source.features, target.features, problem.images[0].rough, problem.images[1].rough, params, recipe);
     problem.pairs.push_back(pair);
     report.timings_ms.homography = millisecondsSince(tick);
+
     tick = getTickCount();
-    if (recipe.pixels)
-        for (int i = 0; i < 2; ++i)
-            problem.images[i].pyramid = buildPyramid(work[i].image, work[i].mask, params.pyramidLevels);
-    if (recipe.movesMesh())
-        states[0].mesh = fitted;
-    Optimizer optimizer(problem, params);
-    const OptimizeStatus status = optimizer.run(recipe, states, report.levels,
-                                                [&](double share) { return report_progress("align", share); });
-    CV_UNUSED(status);
+    problem.images[0].pyramid = buildPyramid(source.work.image, source.work.mask, params.pyramidLevels);
+    problem.images[1].pyramid = buildPyramid(target.work.image, target.work.mask, params.pyramidLevels);
+    std::vector<ImageState> states = roughStates(problem);
+    refine(problem, params, [&](double share) { return go_on("align", share); }, states, report);
     report.timings_ms.align = millisecondsSince(tick);
-    PairReport pair_report;
-    pair_report.points = static_cast<int>(pair.matches.points.size());
-    pair_report.lines = static_cast<int>(pair.matches.lines.size());
-    report.pairs.push_back(pair_report);
-    report.folds = states[0].mesh.countFolds();
-    report.max_displacement_px = maxVertexDistance(states[0].mesh, problem.images[0].rough);
-    report.gain_min = 1e9;
-    report.gain_max = -1e9;
-    for (int cell = 0; cell < lattice_a.cellCount(); ++cell)
-        for (const ChannelAffine& map : states[0].color.quad(cell))
-        {
-            report.gain_min = std::min(report.gain_min, map.gain);
-            report.gain_max = std::max(report.gain_max, map.gain);
-        }
     report.timings_ms.total = millisecondsSince(start);
-    const Size2d scale(static_cast<double>(work[1].image.cols) / full[1].image.cols,
-                       static_cast<double>(work[1].image.rows) / full[1].image.rows);
-    return Alignment({toImage(states[0], problem.images[0].rough, full[0].image.size()),
-                      toImage(states[1], problem.images[1].rough, full[1].image.size())},
-                     scale, report);
+
+    const FrameScale canvas(target.workSize(), target.full.image.size());
+    return Alignment({toImage(problem.images[0].rough, states[0], source.full.image.size()),
+                      toImage(problem.images[1].rough, states[1], target.full.image.size())},
+                     Size2d(canvas.x, canvas.y), report);
 }
 
 } // namespace gcpw

@@ -31,36 +31,39 @@ std::function<Point2d(Point2d)> expectation(const MeshGrid& moving, const MeshGr
 
 } // namespace
 
-Features detectFeatures(const Mat& image, Size work_size, const Params& params)
+Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const Params& params)
 {
     Mat gray;
     cvtColor(image, gray, COLOR_BGR2GRAY);
     const Size2d to_rest(static_cast<double>(work_size.width) / gray.cols,
                          static_cast<double>(work_size.height) / gray.rows);
     Features features;
-    features.keypoints = detectKeypoints(gray, to_rest, params.contrastThreshold);
+    features.keypoints = detectKeypoints(gray, mask, to_rest, params.contrastThreshold);
     features.segments = detectSegments(gray, to_rest, MIN_SEGMENT_LENGTH);
     return features;
 }
 
 MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed,
-                   const Params& params, const Recipe& recipe, MeshGrid& fitted)
+                   const Params& params, const Recipe& recipe)
 {
     MatchSet matches;
-    fitted = rough;
+    if (!recipe.points)
+        return matches;
     const Size size = fixed.lattice().imageSize();
     const double radius = SEARCH_SHARE * std::hypot(size.width, size.height);
+    MeshGrid fitted = rough;
     GateSchedule schedule;
     schedule.similarity_weight = params.similarityWeight;
-    matches.points = toPointMatches(a.keypoints, b.keypoints,
-                                    matchNearby(a.keypoints, b.keypoints, expectation(rough, fixed), radius,
-                                                params.matchRatio));
-    gateMatches(matches.points, fitted, rough, fixed, schedule);
+    const auto matchAround = [&](double search_radius)
+    {
+        matches.points = toPointMatches(a.keypoints, b.keypoints,
+                                        matchNearby(a.keypoints, b.keypoints, expectation(fitted, fixed), search_radius,
+                                                    params.matchRatio));
+        gateMatches(matches.points, fitted, rough, fixed, schedule);
+    };
+    matchAround(radius);
     schedule.start_px = REFINED_RADIUS;
-    matches.points = toPointMatches(a.keypoints, b.keypoints,
-                                    matchNearby(a.keypoints, b.keypoints, expectation(fitted, fixed), REFINED_RADIUS,
-                                                params.matchRatio));
-    gateMatches(matches.points, fitted, rough, fixed, schedule);
+    matchAround(REFINED_RADIUS);
     if (recipe.lines)
         matches.lines = matchSegments(a.segments, b.segments, expectation(fitted, fixed), SegmentTolerance());
     return matches;

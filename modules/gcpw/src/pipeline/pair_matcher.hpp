@@ -21,17 +21,17 @@ struct Features
 };
 
 /** @brief Features of an image.
-@param image CV_8UC3 at the resolution they are to be found at  @param work_size rest frame */
-Features detectFeatures(const Mat& image, Size work_size, const Params& params);
+@param image CV_8UC3 at the resolution they are to be found at  @param mask CV_8UC1 of its size, may be empty
+@param work_size rest frame */
+Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const Params& params);
 
 /** @brief All matches between a moving image and a fixed one, verified by a mesh.
 
 Keypoints are matched near where the rough mesh expects them and gated by a robust mesh fit, then matched once more near
 where that mesh expects them. Line segments are paired and verified by the points' mesh.
-@param rough rough mesh of a  @param fixed mesh of b
-@param fitted receives the mesh of the point matches alone: a good start for everything that follows */
+@param rough rough mesh of a  @param fixed rough mesh of b */
 MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed,
-                   const Params& params, const Recipe& recipe, MeshGrid& fitted);
+                   const Params& params, const Recipe& recipe);
 
 } // namespace gcpw
 } // namespace cv

@@ -30,7 +30,7 @@ const Field FIELDS[] = {
     {"meshCols", &Params::meshCols, nullptr, 2, 256, true},
     {"meshRows", &Params::meshRows, nullptr, 2, 256, true},
     {"workMegapix", nullptr, &Params::workMegapix, 0, 1000, false},
-    {"referenceImage", &Params::referenceImage, nullptr, -1, 100000, true},
+    {"referenceImage", &Params::referenceImage, nullptr, -2, 100000, true},
     {"photometricWeight", nullptr, &Params::photometricWeight, 0, INF, true},
     {"geometricWeight", nullptr, &Params::geometricWeight, 0, INF, true},
     {"similarityWeight", nullptr, &Params::similarityWeight, 0, INF, false},
@@ -41,10 +41,12 @@ const Field FIELDS[] = {
     {"pyramidLevels", &Params::pyramidLevels, nullptr, 1, 8, true},
     {"maxIterations", &Params::maxIterations, nullptr, 1, 1000, true},
     {"stopMotion", nullptr, &Params::stopMotion, 0, INF, false},
+    {"stopGain", nullptr, &Params::stopGain, 0, 1, true},
+    {"contrastFloor", nullptr, &Params::contrastFloor, 0, 1, true},
     {"robustScale", nullptr, &Params::robustScale, 0, INF, true},
     {"matchScale", nullptr, &Params::matchScale, 0, INF, true},
-    {"contrastFloor", nullptr, &Params::contrastFloor, 0, 1, true},
-    {"denseWeight", nullptr, &Params::denseWeight, 0, INF, true},
+    {"anchorWeight", nullptr, &Params::anchorWeight, 0, INF, true},
+    {"revertRatio", nullptr, &Params::revertRatio, 1, INF, true},
     {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
     {"contrastThreshold", nullptr, &Params::contrastThreshold, 0, 1, false},
     {"matchRatio", nullptr, &Params::matchRatio, 0, 1, false},
@@ -70,10 +72,12 @@ Params Params::paper()
     Params p;
     p.similarityWeight = 0.5;
     p.colorSmoothnessWeight = 1;
+    p.sampleStep = 3;
+    p.stopGain = 0;
+    p.contrastFloor = 0;
     p.robustScale = 0;
     p.matchScale = 0;
-    p.contrastFloor = 0;
-    p.denseWeight = 0;
+    p.anchorWeight = 0;
     return p;
 }
 

@@ -7,6 +7,7 @@
 #include "model/color_grid.hpp"
 #include "model/inverse_map.hpp"
 #include "opencv2/gcpw/pair.hpp"
+#include "pipeline/result.hpp"
 
 namespace cv
 {
@@ -15,17 +16,6 @@ namespace gcpw
 
 namespace
 {
-
-MeshGrid meshOf(const Alignment::Image& image)
-{
-    MeshGrid mesh(Lattice(image.work_size, image.color.cols, image.color.rows));
-    for (int i = 0; i < mesh.lattice().vertexCount(); ++i)
-    {
-        const Vec2d v = image.mesh.at<Vec2d>(i / image.mesh.cols, i % image.mesh.cols);
-        mesh.vertices()[i] = Point2d(v[0], v[1]);
-    }
-    return mesh;
-}
 
 /// Gain and bias per pixel, read at the source position each canvas pixel shows.
 Mat applyColor(const Mat& warped, const Mat& map, const Mat& mask, const Mat& color, Size full)

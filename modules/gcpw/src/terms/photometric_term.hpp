@@ -14,7 +14,7 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief Where an image lies at the moment: its mesh and its colour. */
+/// Where an image lies at the moment: its mesh and its colour.
 struct ImageState
 {
     MeshGrid mesh;
@@ -23,12 +23,11 @@ struct ImageState
 
 /** @brief Makes a sample of the source image look like the target at its warped position (eq. photoerror2, phototerm).
 
-    E_p = weight * sum_q w_q sum_c rho( (G_c I_s,c(q) + B_c) - (G'_c I_t,c(p) + B'_c) ),   p = W_t^-1( W_s(q) )
+    E_p = weight * sum_q rho( w_q sum_c ((G_c I_s,c(q) + B_c) - (G'_c I_t,c(p) + B'_c))^2 ),   p = W_t^-1( W_s(q) )
 
-q are material points: every `step`-th pixel of the source level, fixed in their rest quads; I in [0, 1]. The target's
-colour (G', B') is the identity in the two-image case. rho is applied to the sum over channels. Samples whose p leaves
-the target count with the mean energy they had when the term was made, so that leaving the overlap never pays.
-w_q evens out contrast (see Options); 1 in the paper. */
+q are material points: every `step`-th pixel of the source level, fixed in their rest quads, so that weights and sparsity
+never change; I in [0, 1]. The target's colour (G', B') is the identity in the two-image case. In the paper rho(s) = s and
+w_q = 1; see Options. Samples whose p leaves the target do not count. */
 class PhotometricTerm
 {
 public:
@@ -36,7 +35,7 @@ public:
     {
         int step = 3;              ///< px of the level between samples
         double weight = 100;       ///< lambda_1
-        double contrast_floor = 0; ///< if > 0: w_q = mean(v) / v with v = local variance of Y + floor^2; 0: w_q = 1
+        double contrast_floor = 0; ///< f > 0: w_q = 0.01 / (v + f^2) with v the variance of Y in 5 x 5 px; 0: w_q = 1
     };
 
     /** @param source_image, target_image indices for the sink
@@ -47,41 +46,46 @@ public:
     int sourceImage() const { return source_image_; }
     int targetImage() const { return target_image_; }
 
-    /** @brief Pours one ColoredBlock per quad with samples (and cross blocks if the target moves).
-    @param loss of a sample's squared residual, sum over channels
+    /** @brief Pours one ColoredBlock per quad with samples and, if the target moves, its PartnerBlocks.
     @return the robust energy */
     double linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
                      ResidualSink& sink) const;
 
-    /// Squared residuals (sum over channels, times w_q) of the samples that are inside the target now.
-    std::vector<float> squaredResiduals(const std::vector<ImageState>& images) const;
+    /// How little the two images correlate in a quad.
+    struct QuadMiss
+    {
+        double sum = 0;  ///< of (1 - correlation)^2 over the textured quarters of the quad, times their samples
+        int samples = 0;
+    };
+    std::vector<QuadMiss> correlate(const std::vector<ImageState>& images) const;
 
-    /// Number of samples inside the target for every quad of the source.
-    std::vector<int> countInside(const std::vector<ImageState>& images) const;
+    /// Quads whose samples may no longer move a mesh; they go on informing the colours.
+    void freeze(const std::vector<int>& cells);
+
+    /// Adds the number of samples inside the target, to every quad of the source and every quad of the target.
+    void countInside(const std::vector<ImageState>& images, std::vector<int>& source, std::vector<int>& target) const;
 
 private:
     struct Sample
     {
-        float weight[4];
-        float value[3];
-        float importance;
+        float weight[4];  ///< bilinear
+        float value[3];   ///< Y, Cr, Cb
+        float importance; ///< w_q
     };
     class Target;
 
     /// Calls visit(sample, pixel, residual[3], squared residual times w_q) for the samples of a quad that are inside.
     template <typename Visit>
     void forEachInside(const std::vector<ImageState>& images, int cell, Target& target, Visit visit) const;
-    void setImportance(double contrast_floor);
 
     int source_image_;
     int target_image_;
-    PyramidLevel source_;
     PyramidLevel target_;
     Lattice lattice_;
     Options options_;
-    std::vector<Sample> samples_;
-    std::vector<int> first_; ///< first sample of every cell, and one past the last
-    std::vector<Point> pixels_;
+    std::vector<Sample> samples_; ///< sorted by cell
+    std::vector<int> first_;      ///< first sample of every cell, and one past the last
+    std::vector<bool> frozen_;    ///< by cell
 };
 
 } // namespace gcpw

@@ -1,6 +1,8 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "terms/similarity_term.hpp"
 
+#include <algorithm>
+
 namespace cv
 {
 namespace gcpw
@@ -8,6 +10,8 @@ namespace gcpw
 
 namespace
 {
+
+const double MAX_FACTOR = 1e4; ///< a quad this stiff moves as one piece; more would spoil the conditioning
 
 /// Adds the two rows of one triangle; `corners` are the quad corners taken as v1, v2, v3.
 void addTriangle(const MeshGrid& rough, int cell, const int (&corners)[3], double weight, QuadBlock& block)
@@ -88,10 +92,17 @@ double SimilarityTerm::energy(const MeshGrid& mesh) const
     return linearize(mesh, nothing);
 }
 
+void SimilarityTerm::relax()
+{
+    for (Stiff& quad : quads_)
+        quad.factor = 1;
+}
+
 void SimilarityTerm::stiffen(int cell, double factor, const MeshGrid& mesh, ResidualSink& sink)
 {
-    pourQuad(cell, quads_[cell].factor * (factor - 1), mesh, sink);
-    quads_[cell].factor *= factor;
+    const double next = std::min(quads_[cell].factor * factor, MAX_FACTOR);
+    pourQuad(cell, next - quads_[cell].factor, mesh, sink);
+    quads_[cell].factor = next;
 }
 
 } // namespace gcpw

@@ -27,7 +27,10 @@ public:
 
     double energy(const MeshGrid& mesh) const;
 
-    /// Multiplies s of a quad and pours what that adds at the present mesh.
+    /// Sets s = 1 everywhere.
+    void relax();
+
+    /// Multiplies s of a quad, up to a limit, and pours what that adds at the present mesh.
     void stiffen(int cell, double factor, const MeshGrid& mesh, ResidualSink& sink);
 
 private:

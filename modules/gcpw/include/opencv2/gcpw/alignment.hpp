@@ -2,6 +2,7 @@
 #ifndef OPENCV_GCPW_ALIGNMENT_HPP
 #define OPENCV_GCPW_ALIGNMENT_HPP
 
+#include <functional>
 #include <string>
 #include <vector>
 #include "opencv2/gcpw/params.hpp"
@@ -13,6 +14,10 @@ namespace gcpw
 
 //! @addtogroup gcpw
 //! @{
+
+/** @brief Called now and then with the stage ("features", "homography", "align", "render") and the share of it that is
+done, 0..1. Return false to cancel. */
+typedef std::function<bool(const std::string& stage, double fraction)> Progress;
 
 /// How an alignment ended.
 enum class Status
@@ -29,11 +34,11 @@ struct CV_EXPORTS TermEnergies
     double photometric = 0;
     double points = 0;
     double lines = 0;
-    double dense = 0; //!< dense matches, an addition to the paper
+    double anchors = 0; //!< quads held where the matches had put them, an addition to the paper
     double similarity = 0;
     double color = 0;
 
-    double total() const { return photometric + points + lines + dense + similarity + color; }
+    double total() const { return photometric + points + lines + anchors + similarity + color; }
 };
 
 /// What happened on one pyramid level.
@@ -60,8 +65,10 @@ struct CV_EXPORTS PairReport
     int b = 1;
     int points = 0; //!< point matches used
     int lines = 0;  //!< line matches used
-    Score before;   //!< of the rough alignment, at the working resolution
-    Score after;
+    /// 100 * RMS of 1 - correlation over quarters of quads with texture, at the working resolution: a quick relative of
+    /// Score::zncc that needs no rendering. Of the rough alignment; NaN where the overlap has no texture.
+    double miss_before = 0;
+    double miss_after = 0; //!< the same of the result
 };
 
 /// Milliseconds of wall time.

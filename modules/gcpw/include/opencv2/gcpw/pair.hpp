@@ -2,7 +2,6 @@
 #ifndef OPENCV_GCPW_PAIR_HPP
 #define OPENCV_GCPW_PAIR_HPP
 
-#include <functional>
 #include "opencv2/gcpw/alignment.hpp"
 
 namespace cv
@@ -12,10 +11,6 @@ namespace gcpw
 
 //! @addtogroup gcpw
 //! @{
-
-/** @brief Called now and then with the stage ("features", "homography", "align", "render") and the share of it that is
-done, 0..1. Return false to cancel. */
-typedef std::function<bool(const std::string& stage, double fraction)> Progress;
 
 /** @brief Aligns a source photograph to a target photograph: the paper's two-image case.
 
@@ -57,7 +52,7 @@ CV_EXPORTS PairCanvas renderPair(const Alignment& alignment, InputArray source, 
 /// One picture of a canvas, CV_8UC3. `average` mixes the untouched source, `multiband` the corrected one.
 CV_EXPORTS Mat blendPair(const PairCanvas& canvas, Blend blend);
 
-/// Scores of the overlap of a canvas at its own resolution, as Report has them at the working resolution.
+/// Scores of the overlap of a canvas at its own resolution, source with its colours untouched.
 CV_EXPORTS Score scorePair(const PairCanvas& canvas);
 
 /** @brief alignPair(), renderPair() and blendPair() in one call.

@@ -53,38 +53,48 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int meshCols = 32;         ///< quads across an image, 2..256
     CV_PROP_RW int meshRows = 32;         ///< quads down an image, 2..256
     CV_PROP_RW double workMegapix = 0.6;  ///< images are scaled down to this area for the estimation, > 0
-    CV_PROP_RW int referenceImage = -1;   ///< several images: the one that stays unwarped; -1 chooses the most central one
+    CV_PROP_RW int referenceImage = -1;   ///< several images: the one that stays unwarped; -1 chooses the most central one, -2 lets all move
     //! @}
 
     //! @name Weights of the terms (eq. totalfunction)
     //! @{
-    CV_PROP_RW double photometricWeight = 100;    ///< lambda_1, >= 0
-    CV_PROP_RW double geometricWeight = 1;        ///< lambda_2, >= 0
-    CV_PROP_RW double similarityWeight = 0.2;     ///< lambda_3, > 0
-    CV_PROP_RW double colorSmoothnessWeight = 100; ///< lambda_4, > 0
-    CV_PROP_RW double colorRestWeight = 1;        ///< weight of E_r, > 0
+    CV_PROP_RW double photometricWeight = 100;     ///< lambda_1, >= 0
+    CV_PROP_RW double geometricWeight = 1;         ///< lambda_2, >= 0
+    CV_PROP_RW double similarityWeight = 0.2;      ///< lambda_3, > 0
+    CV_PROP_RW double colorSmoothnessWeight = 100; ///< lambda_4, > 0; 1 lets gains collapse in flat quads
+    CV_PROP_RW double colorRestWeight = 1;         ///< weight of E_r, > 0
     //! @}
 
     //! @name Sampling
     //! @{
-    CV_PROP_RW int sampleStep = 3;       ///< px between photometric samples, on every pyramid level, 1..64
-    CV_PROP_RW double lineStep = 5;      ///< px between samples of a line, > 0
-    CV_PROP_RW int pyramidLevels = 3;    ///< Gaussian pyramid levels, 1..8
+    CV_PROP_RW int sampleStep = 2;    ///< px between photometric samples, on every pyramid level, 1..64
+    CV_PROP_RW double lineStep = 5;   ///< px between samples of a line, > 0
+    CV_PROP_RW int pyramidLevels = 3; ///< Gaussian pyramid levels, 1..8
     //! @}
 
     //! @name Iteration
     //! @{
     CV_PROP_RW int maxIterations = 10;   ///< per pyramid level, 1..1000
-    CV_PROP_RW double stopMotion = 0.05; ///< px of the level: a level ends when no vertex moves farther, > 0
+    CV_PROP_RW double stopMotion = 0.05; ///< a level ends when no vertex moves farther: px of the level, > 0
+    CV_PROP_RW double stopGain = 0.0005; ///< a level ends when a step lowers the energy by less than this share, >= 0
     //! @}
 
-    //! @name Additions to the paper (0 switches each off)
+    //! @name Additions to the paper
     //! @{
-    CV_PROP_RW double robustScale = 0;    ///< Geman-McClure scale of the photometric residual, in robust standard deviations
-    CV_PROP_RW double matchScale = 4;     ///< px: Geman-McClure scale of point and line matches
-    CV_PROP_RW double contrastFloor = 0;  ///< intensities: samples count by 1 / (local variance + floor^2)
-    CV_PROP_RW double denseWeight = 0;    ///< weight of one dense (optical flow) match, every 4 px
-    CV_PROP_RW double minQuadArea = 0.1;  ///< least area of a quad's corner, as a share of its rough area, (0, 0.9]
+    /// Samples count by 0.01 / (local variance of Y + floor^2), so that faint texture is heard as well as strong edges;
+    /// the floor is the intensity of noise, 0..1. 0: all samples count alike.
+    CV_PROP_RW double contrastFloor = 0.03;
+    /// Geman-McClure scale of a sample's residual on the finest level, in local standard deviations; doubled from level to
+    /// coarser level. 0: plain squares.
+    CV_PROP_RW double robustScale = 2;
+    /// Geman-McClure scale of point and line matches, px. 0: plain squares.
+    CV_PROP_RW double matchScale = 2;
+    /// Weight that holds a quad where the matches alone had put it, if pixels made it worse. 0: never.
+    CV_PROP_RW double anchorWeight = 1;
+    /// How much worse counts for that: ratio of mean squared decorrelation, >= 1.
+    CV_PROP_RW double revertRatio = 1.05;
+    /// Least area of a quad's corner as a share of its rough area, in (0, 0.9]; what keeps the mesh from folding.
+    CV_PROP_RW double minQuadArea = 0.1;
     //! @}
 
     //! @name Matching

@@ -1,0 +1,56 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_ALIGNER_HPP
+#define OPENCV_GCPW_ALIGNER_HPP
+
+#include "opencv2/gcpw/alignment.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+//! @addtogroup gcpw
+//! @{
+
+/// Points that two of the images given to Aligner::align() have in common, in the pixels of each of them.
+struct CV_EXPORTS Correspondences
+{
+    int a = 0; //!< index of the one image
+    int b = 1; //!< index of the other
+    std::vector<Point2f> points_a;
+    std::vector<Point2f> points_b; //!< as many as points_a; wrong ones are found and left out
+};
+
+/** @brief Refines roughly aligned images on a canvas: meshes and colours of all of them in one problem.
+
+Every pair that overlaps ties its two images, so loops close and no image is privileged by its order. The reference
+image (Params::referenceImage) keeps its place and colours. */
+class CV_EXPORTS Aligner : public Algorithm
+{
+public:
+    /// @throws cv::Exception if params are out of range
+    static Ptr<Aligner> create(const Params& params = Params());
+
+    /** @brief Aligns images that a rough alignment has already warped onto one canvas.
+
+    The first three arguments are those of cv::detail::ExposureCompensator::feed.
+    @param corners canvas position of the top-left pixel of each image
+    @param images 8-bit BGR, gray or BGRA
+    @param masks CV_8UC1 of the same sizes, non-zero inside; an empty vector means everywhere
+    @param correspondences matches known already; where none are given for any pair, they are found here
+    @param progress may be empty; cancelling returns the rough alignment with Status::CANCELLED
+    @return meshes at rest with a status other than OK where the refinement had no answer
+    @throws cv::Exception if counts, sizes or types do not fit */
+    virtual Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks,
+                            const std::vector<Correspondences>& correspondences = std::vector<Correspondences>(),
+                            const Progress& progress = Progress()) = 0;
+
+    virtual const Params& params() const = 0;
+};
+
+//! @}
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,88 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "pipeline/level_terms.hpp"
+
+#include <limits>
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+/// Residuals of Params::robustScale are in local standard deviations; w_q r^2 is 0.01 times their square.
+const double DEVIATION = 0.1;
+
+RobustLoss lossOf(double scale)
+{
+    return RobustLoss(scale > 0 ? scale : std::numeric_limits<double>::infinity());
+}
+
+} // namespace
+
+LevelTerms::LevelTerms(const Problem& problem, const Recipe& recipe, const Params& params)
+    : problem_(problem), recipe_(recipe), params_(params)
+{
+    for (const ProblemPair& pair : problem.pairs)
+    {
+        const Lattice& a = problem.images[pair.a].rough.lattice();
+        const Lattice& b = problem.images[pair.b].rough.lattice();
+        if (recipe.points)
+            points_.emplace_back(pair.a, pair.b, a, b, pair.matches.points, params.geometricWeight);
+        if (recipe.lines)
+            lines_.emplace_back(pair.a, pair.b, a, b, pair.matches.lines, params.lineStep, params.geometricWeight);
+    }
+    setMatchScale(params.matchScale);
+}
+
+void LevelTerms::enterLevel(int level)
+{
+    PhotometricTerm::Options options;
+    options.step = params_.sampleStep;
+    options.weight = params_.photometricWeight;
+    options.contrast_floor = params_.contrastFloor;
+    pixels_.clear();
+    anchors_.clear();
+    for (const ProblemPair& pair : problem_.pairs)
+    {
+        const PyramidLevel& a = problem_.images[pair.a].pyramid[level];
+        scale_ = a.scale;
+        pixels_.emplace_back(pair.a, pair.b, a, problem_.images[pair.b].pyramid[level],
+                             problem_.images[pair.a].rough.lattice(), options);
+    }
+    // Misaligned regions look like outliers: coarse levels, which are to move them, judge more mildly.
+    pixel_loss_ = lossOf(DEVIATION * params_.robustScale * scale_);
+}
+
+void LevelTerms::setMatchScale(double scale_px)
+{
+    match_loss_ = lossOf(scale_px);
+}
+
+void LevelTerms::anchor(size_t pixel_term, const MeshGrid& mesh, const std::vector<int>& cells)
+{
+    pixels_[pixel_term].freeze(cells);
+    anchors_.emplace_back(pixels_[pixel_term].sourceImage(), mesh, cells, params_.anchorWeight);
+}
+
+void LevelTerms::pour(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies) const
+{
+    for (size_t k = 0; k < problem_.pairs.size(); ++k)
+    {
+        const MeshGrid& a = states[problem_.pairs[k].a].mesh;
+        const MeshGrid& b = states[problem_.pairs[k].b].mesh;
+        if (!points_.empty())
+            energies.points += points_[k].linearize(a, b, match_loss_, sink);
+        if (!lines_.empty())
+            energies.lines += lines_[k].linearize(a, b, match_loss_, sink);
+        if (!pixels_.empty())
+            energies.photometric +=
+                pixels_[k].linearize(states, !problem_.images[problem_.pairs[k].b].held, pixel_loss_, sink);
+    }
+    for (const AnchorTerm& anchor : anchors_)
+        energies.anchors += anchor.linearize(states[anchor.image()].mesh, sink);
+}
+
+} // namespace gcpw
+} // namespace cv

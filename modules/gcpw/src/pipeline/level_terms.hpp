@@ -1,0 +1,60 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_LEVEL_TERMS_HPP
+#define OPENCV_GCPW_LEVEL_TERMS_HPP
+
+#include <vector>
+#include "opencv2/gcpw/alignment.hpp"
+#include "pipeline/problem.hpp"
+#include "pipeline/recipe.hpp"
+#include "terms/anchor_term.hpp"
+#include "terms/line_term.hpp"
+#include "terms/photometric_term.hpp"
+#include "terms/point_term.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief The data terms of a recipe on one pyramid level: everything that ties images together.
+
+Regularisers (similarity, colour smoothness) do not change from level to level and stay with the optimiser. */
+class LevelTerms
+{
+public:
+    /// The geometric terms alone.
+    LevelTerms(const Problem& problem, const Recipe& recipe, const Params& params);
+
+    /// Puts the photometric terms of a level (0 is the finest) in the place of the former level's.
+    void enterLevel(int level);
+
+    /// Working pixels per pixel of the level.
+    double scale() const { return scale_; }
+    const std::vector<PhotometricTerm>& pixels() const { return pixels_; }
+
+    /// Geman-McClure scale of the matches, canvas px; 0 is the plain sum of squares.
+    void setMatchScale(double scale_px);
+
+    /// Quads of an image that follow `anchor` from now on; their samples no longer move the mesh.
+    void anchor(size_t pixel_term, const MeshGrid& mesh, const std::vector<int>& cells);
+
+    /// Pours all terms and adds their energies.
+    void pour(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies) const;
+
+private:
+    const Problem& problem_;
+    Recipe recipe_;
+    Params params_;
+    double scale_ = 1;
+    RobustLoss match_loss_;
+    RobustLoss pixel_loss_;
+    std::vector<PointTerm> points_;
+    std::vector<LineTerm> lines_;
+    std::vector<PhotometricTerm> pixels_;
+    std::vector<AnchorTerm> anchors_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,180 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "terms/sample_sums.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+/// Folds sums over pairs of corners out into the upper triangle of an 8 x 8 block.
+void unfold(const double (&curvature)[10][3], double weight, QuadBlock& block)
+{
+    int pair = 0;
+    for (int k = 0; k < 4; ++k)
+        for (int m = k; m < 4; ++m, ++pair)
+        {
+            const double* s = curvature[pair];
+            block[2 * k][2 * m] = weight * s[0];
+            block[2 * k][2 * m + 1] = weight * s[1];
+            if (m > k)
+                block[2 * k + 1][2 * m] = weight * s[1];
+            block[2 * k + 1][2 * m + 1] = weight * s[2];
+        }
+}
+
+struct Curvature
+{
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+};
+
+Curvature curvatureOf(const LinearSample& s)
+{
+    Curvature h;
+    for (int c = 0; c < 3; ++c)
+    {
+        h.xx += s.gx[c] * s.gx[c];
+        h.xy += s.gx[c] * s.gy[c];
+        h.yy += s.gy[c] * s.gy[c];
+    }
+    return h;
+}
+
+} // namespace
+
+void SampleSums::add(const float* corner_weight, const LinearSample& s)
+{
+    const Curvature h = curvatureOf(s);
+    double part[14] = {};
+    for (int c = 0; c < 3; ++c)
+    {
+        const double i = s.mine[c];
+        part[0] += s.gx[c] * s.residual[c];
+        part[1] += s.gy[c] * s.residual[c];
+        double* own = part + 2 + 4 * c;
+        own[0] = s.gx[c] * i;
+        own[1] = s.gx[c];
+        own[2] = s.gy[c] * i;
+        own[3] = s.gy[c];
+        const double w = s.weight;
+        color_[c][0] += w * i * i;
+        color_[c][1] += w * i;
+        color_[c][2] += w;
+        color_[c][3] += w * i * s.residual[c];
+        color_[c][4] += w * s.residual[c];
+    }
+    int pair = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+        const double wk = s.weight * corner_weight[k];
+        for (int j = 0; j < 14; ++j)
+            corner_[k][j] += wk * part[j];
+        for (int m = k; m < 4; ++m, ++pair)
+        {
+            const double wkm = wk * corner_weight[m];
+            curvature_[pair][0] += wkm * h.xx;
+            curvature_[pair][1] += wkm * h.xy;
+            curvature_[pair][2] += wkm * h.yy;
+        }
+    }
+    ++samples_;
+}
+
+ColoredBlock SampleSums::block(double weight) const
+{
+    // d residual / d position = -g, d residual / d (gain, bias) = (I, 1)
+    ColoredBlock block;
+    unfold(curvature_, weight, block.mesh_mesh);
+    for (int k = 0; k < 4; ++k)
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            block.mesh_gradient[2 * k + axis] = -weight * corner_[k][axis];
+            for (int c = 0; c < 3; ++c)
+                for (int j = 0; j < 2; ++j)
+                    block.mesh_color[2 * k + axis][2 * c + j] = -weight * corner_[k][2 + 4 * c + 2 * axis + j];
+        }
+    for (int c = 0; c < 3; ++c)
+    {
+        for (int j = 0; j < 3; ++j)
+            block.color_color[c][j] = weight * color_[c][j];
+        for (int j = 0; j < 2; ++j)
+            block.color_gradient[c][j] = weight * color_[c][3 + j];
+    }
+    block.samples = samples_;
+    return block;
+}
+
+void PartnerSums::add(const float* corner_weight, const double* partner_weight, const LinearSample& s)
+{
+    const Curvature h = curvatureOf(s);
+    double rx = 0;
+    double ry = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+        rx += s.gx[c] * s.residual[c];
+        ry += s.gy[c] * s.residual[c];
+        const double i = s.mine[c];
+        const double j = s.theirs[c];
+        const double values[9] = {i * j, i, j, 1, j * j, j, 1, j * s.residual[c], s.residual[c]};
+        for (int n = 0; n < 9; ++n)
+            color_[c][n] += s.weight * values[n];
+    }
+    int pair = 0;
+    for (int m = 0; m < 4; ++m)
+    {
+        const double wm = s.weight * partner_weight[m];
+        slope_[m][0] += wm * rx;
+        slope_[m][1] += wm * ry;
+        for (int k = 0; k < 4; ++k)
+        {
+            const double w = wm * corner_weight[k];
+            cross_[k][m][0] += w * h.xx;
+            cross_[k][m][1] += w * h.xy;
+            cross_[k][m][2] += w * h.yy;
+        }
+        for (int n = m; n < 4; ++n, ++pair)
+        {
+            const double w = wm * partner_weight[n];
+            curvature_[pair][0] += w * h.xx;
+            curvature_[pair][1] += w * h.xy;
+            curvature_[pair][2] += w * h.yy;
+        }
+    }
+}
+
+PartnerBlock PartnerSums::block(double weight) const
+{
+    // d residual / d partner position = +g, d residual / d partner (gain, bias) = -(I', 1)
+    PartnerBlock block;
+    unfold(curvature_, weight, block.mesh_mesh);
+    for (int k = 0; k < 4; ++k)
+    {
+        for (int m = 0; m < 4; ++m)
+        {
+            const double* s = cross_[k][m];
+            block.cross[2 * k][2 * m] = -weight * s[0];
+            block.cross[2 * k][2 * m + 1] = -weight * s[1];
+            block.cross[2 * k + 1][2 * m] = -weight * s[1];
+            block.cross[2 * k + 1][2 * m + 1] = -weight * s[2];
+        }
+        for (int axis = 0; axis < 2; ++axis)
+            block.mesh_gradient[2 * k + axis] = weight * slope_[k][axis];
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+        for (int j = 0; j < 4; ++j)
+            block.color_cross[c][j] = -weight * color_[c][j];
+        for (int j = 0; j < 3; ++j)
+            block.color_color[c][j] = weight * color_[c][4 + j];
+        for (int j = 0; j < 2; ++j)
+            block.color_gradient[c][j] = -weight * color_[c][7 + j];
+    }
+    return block;
+}
+
+} // namespace gcpw
+} // namespace cv

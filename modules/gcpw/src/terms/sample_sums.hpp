@@ -1,0 +1,62 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_SAMPLE_SUMS_HPP
+#define OPENCV_GCPW_SAMPLE_SUMS_HPP
+
+#include "energy/residual_sink.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief One photometric sample, linearised: residual_c = mine_c - theirs_c, each colour-corrected.
+
+gradient: of the corrected target by the canvas position, per channel. */
+struct LinearSample
+{
+    double residual[3];
+    double gx[3];
+    double gy[3];
+    double mine[3];   ///< source intensities before correction
+    double theirs[3]; ///< target intensities before correction
+    double weight;    ///< of the squared residual
+};
+
+/** @brief Running sums over the samples of one quad, folded out into a ColoredBlock at the end.
+
+A sample acts on its quad only through its position, so sums of w_k w_m times a 2 x 2 matrix say all that an 8 x 8 block
+holds: a third of the multiplications. */
+class SampleSums
+{
+public:
+    void add(const float* corner_weight, const LinearSample& s);
+    int samples() const { return samples_; }
+
+    /// The block of all samples, times `weight`.
+    ColoredBlock block(double weight) const;
+
+private:
+    double curvature_[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
+    double corner_[4][14] = {};    ///< per corner: sum w_k (gx r, gy r), then per channel w_k (gx I, gx, gy I, gy)
+    double color_[3][5] = {};      ///< per channel: sum I I, I, 1, I r, r
+    int samples_ = 0;
+};
+
+/// The partner's sums: over those samples of one quad that fall into one quad of a moving target.
+class PartnerSums
+{
+public:
+    void add(const float* corner_weight, const double* partner_weight, const LinearSample& s);
+    PartnerBlock block(double weight) const;
+
+private:
+    double cross_[4][4][3] = {};   ///< sum w_k w'_m (xx, xy, yy)
+    double curvature_[10][3] = {}; ///< sum w'_k w'_m (xx, xy, yy)
+    double slope_[4][2] = {};      ///< sum w'_k (gx r, gy r)
+    double color_[3][9] = {};      ///< per channel: I I', I, I', 1, I' I', I', 1, I' r, r
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
