@@ -13,7 +13,7 @@ namespace
 
 typedef std::array<double, 2> Pair;
 
-const double CG_TOLERANCE = 1e-5; ///< far below one gray level
+const double CG_TOLERANCE = 1e-4; ///< far below one gray level
 const int CG_MAX_ITERATIONS = 1000;
 
 void add(ColorBlock& sum, const ColorBlock& block)

@@ -20,6 +20,7 @@ const int MAX_STIFFENINGS = 3;       ///< per step; then the step is shortened t
 const int MAX_HALVINGS = 4;          ///< of a step that raises the energy; then the level ends
 const double FIRST_MATCH_SCALE = 32; ///< px: wide enough to follow strong parallax
 const double MATCH_NARROWING = 0.5;  ///< of the matches' scale from step to step
+const int MATCH_ITERATIONS = 3;      ///< at the final scale, where pixels are to follow
 const double STRICTLY_BETTER = 1.02; ///< the start is kept only if the result correlates this much worse
 
 std::vector<Lattice> latticesOf(const Problem& problem)
@@ -179,7 +180,7 @@ Optimizer::LevelEnd Optimizer::fitMatches(LevelTerms& terms, std::vector<ImageSt
             return end;
     }
     terms.setMatchScale(params_.matchScale);
-    return runLevel(terms, states, params_.maxIterations, report);
+    return runLevel(terms, states, recipe_.pixels ? std::min(MATCH_ITERATIONS, params_.maxIterations) : params_.maxIterations, report);
 }
 
 void Optimizer::setColorRest(const LevelTerms& terms, const std::vector<ImageState>& states)

@@ -95,7 +95,12 @@ PhotometricTerm::PhotometricTerm(int source_image, int target_image, const Pyram
 class PhotometricTerm::Target
 {
 public:
-    explicit Target(const ImageState& state) : state_(state), at_rest_(state.mesh.isTranslation(origin_)) {}
+    /// @param want_cell whether point() and the colour of its quad are needed
+    Target(const ImageState& state, bool want_cell)
+        : state_(state), at_rest_(state.mesh.isTranslation(origin_)), want_cell_(want_cell || !state.color.isIdentity())
+    {
+        point_.cell = 0;
+    }
 
     bool find(Point2d canvas)
     {
@@ -104,7 +109,8 @@ public:
             rest_ = canvas - origin_;
             if (!state_.mesh.lattice().contains(rest_))
                 return false;
-            point_ = state_.mesh.lattice().locate(rest_);
+            if (want_cell_)
+                point_ = state_.mesh.lattice().locate(rest_);
             return true;
         }
         if (!state_.mesh.invert(canvas, hint_, point_))
@@ -133,6 +139,7 @@ private:
     const ImageState& state_;
     Point2d origin_;
     bool at_rest_;
+    bool want_cell_;
     int hint_ = -1;
     Point2d rest_;
     CellPoint point_;
@@ -173,7 +180,7 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
                                   ResidualSink& sink) const
 {
     double total = 0;
-    Target target(images[target_image_]);
+    Target target(images[target_image_], target_moves);
     std::vector<std::pair<int, PartnerSums>> partners; // target cell, sums; a handful at most
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
@@ -232,7 +239,7 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
 std::vector<PhotometricTerm::QuadMiss> PhotometricTerm::correlate(const std::vector<ImageState>& images) const
 {
     std::vector<QuadMiss> misses(lattice_.cellCount());
-    Target target(images[target_image_]);
+    Target target(images[target_image_], false);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
         Moments quarters[4];
@@ -267,7 +274,7 @@ void PhotometricTerm::freeze(const std::vector<int>& cells)
 void PhotometricTerm::countInside(const std::vector<ImageState>& images, std::vector<int>& source,
                                   std::vector<int>& target_count) const
 {
-    Target target(images[target_image_]);
+    Target target(images[target_image_], true);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
         forEachInside(images, cell, target, [&](const Sample&, const PixelSample&, const double*, double)
         {
