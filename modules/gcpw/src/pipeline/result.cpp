@@ -127,6 +127,17 @@ MeshGrid meshOf(const Alignment::Image& image)
     return mesh;
 }
 
+Alignment Alignment::rough() const
+{
+    Alignment result = *this;
+    for (Image& image : result.images_)
+    {
+        image.mesh = image.rough;
+        image.color = ColorGrid(Lattice(image.work_size, image.color.cols, image.color.rows)).toMat();
+    }
+    return result;
+}
+
 double millisecondsSince(int64 start)
 {
     return 1000.0 * static_cast<double>(getTickCount() - start) / getTickFrequency();

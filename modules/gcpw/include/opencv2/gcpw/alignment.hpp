@@ -125,6 +125,9 @@ public:
 
     const Report& report() const { return report_; }
 
+    /// The same images where the rough alignment has them, colours untouched.
+    Alignment rough() const;
+
 private:
     std::vector<Image> images_;
     Size2d canvas_scale_ = Size2d(1, 1);

@@ -1,0 +1,57 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef GCPW_SAMPLES_PROGRAM_HPP
+#define GCPW_SAMPLES_PROGRAM_HPP
+
+#include <opencv2/core.hpp>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/gcpw.hpp>
+#include <stdexcept>
+#include <string>
+
+/// Exit codes of the sample programs.
+enum ExitCode
+{
+    EXIT_STITCHED = 0,
+    EXIT_NO_ALIGNMENT = 1,
+    EXIT_WRONG_USE = 2
+};
+
+/// The caller asked for something that cannot be: ends the program with EXIT_WRONG_USE and this message.
+struct WrongUse : std::runtime_error
+{
+    using std::runtime_error::runtime_error;
+};
+
+/// Throws WrongUse if an argument is no option of `keys` (cv::CommandLineParser passes over them in silence).
+void checkOptions(int argc, const char* const* argv, const std::string& keys);
+
+/// Reads a photograph with its depth, orientation and alpha. Throws WrongUse that names the file.
+cv::Mat readImage(const std::string& path);
+
+/// Writes an image under a temporary name first, so that no half-written file is ever left. Throws WrongUse.
+void writeImage(const std::string& path, const cv::Mat& image);
+
+/// The same for text.
+void writeText(const std::string& path, const std::string& text);
+
+/// Makes a folder and its parents. Throws WrongUse.
+void makeFolder(const std::string& path);
+
+/// Method of a name: global, cpw, dfw, mfw, gcpw. Throws WrongUse that lists them.
+cv::gcpw::Method methodOf(const std::string& name);
+std::string nameOf(cv::gcpw::Method method);
+
+/// "ok", "rough", "no_alignment", "cancelled".
+std::string nameOf(cv::gcpw::Status status);
+
+/// Applies "name=value,name=value" to params. Throws WrongUse.
+void applySettings(const std::string& settings, cv::gcpw::Params& params);
+
+/// Shows stage and percentage on the terminal; silent if standard error is none.
+cv::gcpw::Progress terminalProgress();
+void endProgress();
+
+/// Calls run() and turns exceptions into a message and an exit code.
+int runProgram(const std::string& name, const std::function<int()>& run);
+
+#endif

@@ -1,0 +1,207 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+//
+// Stitches two overlapping photographs: the source is warped onto the target's frame.
+#include <iostream>
+#include "common/json.hpp"
+#include "common/program.hpp"
+#include "common/synthetic_pair.hpp"
+
+using namespace cv::gcpw;
+
+namespace
+{
+
+const char* const KEYS =
+    "{help h usage ? |           | this text }"
+    "{@source        |           | photograph that is warped }"
+    "{@target        |           | photograph that keeps its place; its frame is the canvas }"
+    "{method         | gcpw      | global, cpw, dfw, mfw or gcpw }"
+    "{output         | pano.png  | the panorama }"
+    "{dump           |           | folder for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png }"
+    "{report         |           | JSON file with scores, timings and what happened }"
+    "{blend          | multiband | average (the paper's plain mean) or multiband (seam and multi-band blender) }"
+    "{render_source  |           | estimate on @source but render this file, which must have its size }"
+    "{work_megapix   |           | resolution of the estimation, million pixels }"
+    "{threads        | -1        | threads to use; -1 leaves it to OpenCV }"
+    "{paper          |           | the paper's constants instead of the defaults }"
+    "{set            |           | further parameters, name=value,name=value; see gcpw::Params }"
+    "{synthetic      |           | write source.png and target.png of a synthetic scene into this folder and stop }";
+
+/// Everything one run is asked to do.
+struct Job
+{
+    std::string source;
+    std::string target;
+    std::string render_source;
+    std::string output;
+    std::string dump;
+    std::string report;
+    Blend blend = Blend::MULTIBAND;
+    Params params;
+};
+
+Job parse(const cv::CommandLineParser& parser)
+{
+    Job job;
+    job.source = parser.get<std::string>("@source");
+    job.target = parser.get<std::string>("@target");
+    if (job.source.empty() || job.target.empty())
+        throw WrongUse("two photographs are needed: gcpw_pair SOURCE TARGET; --help lists the options");
+    job.render_source = parser.get<std::string>("render_source");
+    job.output = parser.get<std::string>("output");
+    job.dump = parser.get<std::string>("dump");
+    job.report = parser.get<std::string>("report");
+    const std::string blend = parser.get<std::string>("blend");
+    if (blend != "average" && blend != "multiband")
+        throw WrongUse("unknown blend '" + blend + "'; there are average, multiband");
+    job.blend = blend == "average" ? Blend::AVERAGE : Blend::MULTIBAND;
+    if (parser.has("paper"))
+        job.params = Params::paper();
+    job.params.method = methodOf(parser.get<std::string>("method"));
+    if (parser.has("work_megapix"))
+        job.params.workMegapix = parser.get<double>("work_megapix");
+    applySettings(parser.get<std::string>("set"), job.params);
+    const int threads = parser.get<int>("threads");
+    if (!parser.check())
+    {
+        parser.printErrors();
+        throw WrongUse("--help lists the options");
+    }
+    if (threads >= 0)
+        cv::setNumThreads(threads);
+    job.params.check();
+    return job;
+}
+
+void addEnergies(Json& json, const std::string& key, const TermEnergies& e)
+{
+    json.beginObject(key);
+    json.add("photometric", e.photometric).add("points", e.points).add("lines", e.lines).add("anchors", e.anchors);
+    json.add("similarity", e.similarity).add("color", e.color).add("total", e.total());
+    json.endObject();
+}
+
+void addScore(Json& json, const std::string& key, const Score& score)
+{
+    json.beginObject(key).add("ncc", score.ncc).add("zncc", score.zncc).endObject();
+}
+
+/// @param before, after null where nothing was rendered
+std::string reportText(const Report& report, Method method, const Score* before, const Score* after, double render_ms)
+{
+    Json json;
+    json.beginObject();
+    json.add("status", nameOf(report.status)).add("message", report.message).add("method", nameOf(method));
+    json.add("points", report.pairs.empty() ? 0 : report.pairs[0].points);
+    json.add("lines", report.pairs.empty() ? 0 : report.pairs[0].lines);
+    json.add("folds", report.folds).add("max_displacement_px", report.max_displacement_px);
+    json.add("gain_min", report.gain_min).add("gain_max", report.gain_max);
+    json.beginArray("levels");
+    for (const LevelReport& level : report.levels)
+    {
+        json.beginObject().add("scale", level.scale).add("iterations", level.iterations);
+        json.add("converged", level.converged);
+        addEnergies(json, "energy_start", level.start);
+        addEnergies(json, "energy_end", level.end);
+        json.endObject();
+    }
+    json.endArray();
+    if (before && after)
+    {
+        json.beginObject("scores");
+        addScore(json, "before", *before);
+        addScore(json, "after", *after);
+        json.endObject();
+    }
+    const Timings& t = report.timings_ms;
+    json.beginObject("timings_ms").add("features", t.features).add("homography", t.homography).add("align", t.align);
+    json.add("render", render_ms).add("total", t.total + render_ms).endObject();
+    json.endObject();
+    return json.text();
+}
+
+void dumpCanvas(const std::string& folder, const PairCanvas& canvas)
+{
+    makeFolder(folder);
+    writeImage(folder + "/source.png", canvas.source);
+    writeImage(folder + "/source_mask.png", canvas.source_mask);
+    writeImage(folder + "/target.png", canvas.target);
+    writeImage(folder + "/target_mask.png", canvas.target_mask);
+    writeImage(folder + "/source_corrected.png", canvas.source_corrected);
+    writeImage(folder + "/mesh.png", canvas.mesh);
+}
+
+int stitch(const Job& job)
+{
+    const cv::Mat source = readImage(job.source);
+    const cv::Mat target = readImage(job.target);
+    const cv::Mat shown = job.render_source.empty() ? source : readImage(job.render_source);
+    if (shown.size() != source.size())
+        throw WrongUse(job.render_source + " must have the size of " + job.source);
+    const Progress progress = terminalProgress();
+    const Alignment alignment = alignPair(source, target, job.params, progress);
+    const Report& report = alignment.report();
+    if (report.status == Status::NO_ALIGNMENT)
+    {
+        endProgress();
+        if (!job.report.empty())
+            writeText(job.report, reportText(report, job.params.method, nullptr, nullptr, 0));
+        std::cerr << "gcpw_pair: " << report.message << '\n';
+        return EXIT_NO_ALIGNMENT;
+    }
+    if (progress)
+        progress("render", 0);
+    cv::TickMeter render;
+    render.start();
+    const PairCanvas canvas = renderPair(alignment, shown, target);
+    const cv::Mat panorama = blendPair(canvas, job.blend);
+    render.stop();
+    const Score after = scorePair(canvas);
+    if (!job.dump.empty())
+        dumpCanvas(job.dump, canvas);
+    if (!job.report.empty())
+    {
+        const Score before = scorePair(renderPair(alignment.rough(), shown, target));
+        writeText(job.report, reportText(report, job.params.method, &before, &after, render.getTimeMilli()));
+    }
+    writeImage(job.output, panorama);
+    endProgress();
+    if (!report.message.empty())
+        std::cout << report.message << '\n';
+    std::cout << job.output << ": " << panorama.cols << " x " << panorama.rows << ", misalignment zncc " << after.zncc
+              << ", " << cvRound(report.timings_ms.total + render.getTimeMilli()) << " ms\n";
+    return EXIT_STITCHED;
+}
+
+int writeSynthetic(const std::string& folder)
+{
+    cv::Mat source;
+    cv::Mat target;
+    makeSyntheticPair(source, target);
+    makeFolder(folder);
+    writeImage(folder + "/source.png", source);
+    writeImage(folder + "/target.png", target);
+    std::cout << folder << "/source.png and target.png written\n";
+    return EXIT_STITCHED;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return runProgram("gcpw_pair", [&]
+    {
+        cv::CommandLineParser parser(argc, argv, KEYS);
+        parser.about("Stitches two overlapping photographs with Generalized Content-Preserving Warps.\n"
+                     "Exit code: 0 stitched, 1 no alignment found, 2 wrong use.");
+        if (parser.has("help"))
+        {
+            parser.printMessage();
+            return static_cast<int>(EXIT_STITCHED);
+        }
+        checkOptions(argc, argv, KEYS);
+        if (parser.has("synthetic"))
+            return writeSynthetic(parser.get<std::string>("synthetic"));
+        return stitch(parse(parser));
+    });
+}
