@@ -6,6 +6,17 @@ namespace opencv_test
 
 using namespace cv::gcpw;
 
+namespace
+{
+
+void addBothWays(int row, int col, double value, Eigen::MatrixXd& m)
+{
+    m(row, col) += value;
+    m(col, row) += value;
+}
+
+} // namespace
+
 RecordingSink::RecordingSink(const std::vector<Lattice>& lattices) : lattices_(lattices)
 {
     for (const Lattice& lattice : lattices)
@@ -47,9 +58,9 @@ void RecordingSink::addColored(QuadId quad, const ColoredBlock& block)
     blocks.push_back({quad, block});
 }
 
-void RecordingSink::addCross(QuadId a, QuadId b, const QuadBlock& block)
+void RecordingSink::addPartner(QuadId a, QuadId b, const PartnerBlock& block)
 {
-    crosses.push_back({a, b, block});
+    partners.push_back({a, b, block});
 }
 
 int RecordingSink::meshColumn(QuadId quad, int k) const
@@ -89,7 +100,26 @@ Eigen::VectorXd RecordingSink::gradient() const
         for (int k = 0; k < 6; ++k)
             g[colorColumn(item.quad, k)] += item.block.color_gradient[k / 2][k % 2];
     }
+    for (const Partner& item : partners)
+    {
+        for (int k = 0; k < 8; ++k)
+            g[meshColumn(item.b, k)] += item.block.mesh_gradient[k];
+        for (int k = 0; k < 6; ++k)
+            g[colorColumn(item.b, k)] += item.block.color_gradient[k / 2][k % 2];
+    }
     return g;
+}
+
+void RecordingSink::addOwn(QuadId quad, const QuadBlock& mesh, const std::array<std::array<double, 3>, 3>& color,
+                           Eigen::MatrixXd& m) const
+{
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 8; ++j)
+            m(meshColumn(quad, i), meshColumn(quad, j)) += mesh[std::min(i, j)][std::max(i, j)];
+    for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < 2; ++i)
+            for (int j = 0; j < 2; ++j)
+                m(colorColumn(quad, 2 * c + i), colorColumn(quad, 2 * c + j)) += color[c][i + j];
 }
 
 Eigen::MatrixXd RecordingSink::matrix() const
@@ -108,29 +138,22 @@ Eigen::MatrixXd RecordingSink::matrix() const
     }
     for (const Block& item : blocks)
     {
-        const ColoredBlock& b = item.block;
+        addOwn(item.quad, item.block.mesh_mesh, item.block.color_color, m);
         for (int i = 0; i < 8; ++i)
-        {
-            const int row = meshColumn(item.quad, i);
-            for (int j = 0; j < 8; ++j)
-                m(row, meshColumn(item.quad, j)) += b.mesh_mesh[std::min(i, j)][std::max(i, j)];
             for (int k = 0; k < 6; ++k)
-            {
-                m(row, colorColumn(item.quad, k)) += b.mesh_color[i][k];
-                m(colorColumn(item.quad, k), row) += b.mesh_color[i][k];
-            }
-        }
-        for (int i = 0; i < 6; ++i)
-            for (int j = i / 2 * 2; j < i / 2 * 2 + 2; ++j)
-                m(colorColumn(item.quad, i), colorColumn(item.quad, j)) += b.color_color[i / 2][i % 2 + j % 2];
+                addBothWays(meshColumn(item.quad, i), colorColumn(item.quad, k), item.block.mesh_color[i][k], m);
     }
-    for (const Cross& cross : crosses)
+    for (const Partner& item : partners)
+    {
+        addOwn(item.b, item.block.mesh_mesh, item.block.color_color, m);
         for (int i = 0; i < 8; ++i)
             for (int j = 0; j < 8; ++j)
-            {
-                m(meshColumn(cross.a, i), meshColumn(cross.b, j)) += cross.block[i][j];
-                m(meshColumn(cross.b, j), meshColumn(cross.a, i)) += cross.block[i][j];
-            }
+                addBothWays(meshColumn(item.a, i), meshColumn(item.b, j), item.block.cross[i][j], m);
+        for (int c = 0; c < 3; ++c)
+            for (int k = 0; k < 4; ++k)
+                addBothWays(colorColumn(item.a, 2 * c + k / 2), colorColumn(item.b, 2 * c + k % 2),
+                            item.block.color_cross[c][k], m);
+    }
     return m;
 }
 

@@ -33,11 +33,11 @@ public:
         cv::gcpw::QuadId quad;
         cv::gcpw::ColoredBlock block;
     };
-    struct Cross
+    struct Partner
     {
         cv::gcpw::QuadId a;
         cv::gcpw::QuadId b;
-        cv::gcpw::QuadBlock block;
+        cv::gcpw::PartnerBlock block;
     };
 
     explicit RecordingSink(const std::vector<cv::gcpw::Lattice>& lattices);
@@ -48,9 +48,9 @@ public:
     void addBlock(cv::gcpw::QuadId quad, const cv::gcpw::QuadBlock& block, const cv::gcpw::QuadRow& gradient,
                   double energy) override;
     void addColored(cv::gcpw::QuadId quad, const cv::gcpw::ColoredBlock& block) override;
-    void addCross(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::QuadBlock& block) override;
+    void addPartner(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::PartnerBlock& block) override;
 
-    bool empty() const { return rows.empty() && blocks.empty() && crosses.empty(); }
+    bool empty() const { return rows.empty() && blocks.empty() && partners.empty(); }
 
     /// Column of coordinate k (0..7) of a quad.
     int meshColumn(cv::gcpw::QuadId quad, int k) const;
@@ -66,9 +66,12 @@ public:
 
     std::vector<Row> rows;
     std::vector<Block> blocks;
-    std::vector<Cross> crosses;
+    std::vector<Partner> partners;
 
 private:
+    void addOwn(cv::gcpw::QuadId quad, const cv::gcpw::QuadBlock& mesh,
+                const std::array<std::array<double, 3>, 3>& color, Eigen::MatrixXd& m) const;
+
     std::vector<cv::gcpw::Lattice> lattices_;
     std::vector<int> first_mesh_;
     std::vector<int> first_color_;

@@ -99,6 +99,15 @@ Matx33d slightHomography(double shift_px)
     return {1.01, -0.015, shift_px, 0.012, 1.015, -11, 2e-6, 0, 1};
 }
 
+SceneOptions smallScene()
+{
+    SceneOptions options;
+    options.source_size = options.target_size = Size(320, 240);
+    options.rough = slightHomography(64);
+    options.displacement_px = 5;
+    return options;
+}
+
 Scene::Scene(const SceneOptions& options) : options_(options), texture_(options.seed)
 {
     RNG rng = seeded(options.seed);

@@ -48,6 +48,9 @@ struct SceneOptions
     bool occluder = false;  ///< a disc in front of the source and another in front of the target
 };
 
+/// 320 x 240 px, for tests that ask for speed more than for accuracy.
+SceneOptions smallScene();
+
 /** @brief A source and a target photograph and all that is true about them.
 
 Noise and occluders are in the images only, never in the truth. */

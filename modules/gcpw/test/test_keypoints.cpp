@@ -166,8 +166,8 @@ TEST(Gcpw_Keypoints, one_thread_and_many_find_the_same)
     for (int run = 0; run < 2; ++run)
     {
         setNumThreads(run == 0 ? threads : 1);
-        Keypoints a = detectKeypoints(gray[0], Size2d(1, 1), 0.005);
-        const Keypoints b = detectKeypoints(gray[1], Size2d(1, 1), 0.005);
+        Keypoints a = detectKeypoints(gray[0], Mat(), Size2d(1, 1), 0.005);
+        const Keypoints b = detectKeypoints(gray[1], Mat(), Size2d(1, 1), 0.005);
         const auto expected = [&](Point2d p) { return scene.canvasAt(p); };
         matches[run] = matchNearby(a, b, expected, 10, 0.85);
         keypoints[run] = a;
@@ -189,8 +189,8 @@ TEST(Gcpw_Keypoints, positions_are_rest_pixels)
     const Scene scene{SceneOptions()};
     Mat gray;
     cv::cvtColor(scene.target(), gray, COLOR_BGR2GRAY);
-    const Keypoints same = detectKeypoints(gray, Size2d(1, 1), 0.02);
-    const Keypoints scaled = detectKeypoints(gray, Size2d(0.5, 0.25), 0.02);
+    const Keypoints same = detectKeypoints(gray, Mat(), Size2d(1, 1), 0.02);
+    const Keypoints scaled = detectKeypoints(gray, Mat(), Size2d(0.5, 0.25), 0.02);
     ASSERT_GT(same.points.size(), 50u);
     ASSERT_EQ(same.points.size(), scaled.points.size());
     EXPECT_EQ(same.descriptors.rows, static_cast<int>(same.points.size()));
@@ -201,9 +201,25 @@ TEST(Gcpw_Keypoints, positions_are_rest_pixels)
     }
 }
 
+TEST(Gcpw_Keypoints, outside_the_mask_there_are_none)
+{
+    const Scene scene{SceneOptions()};
+    Mat gray;
+    cv::cvtColor(scene.target(), gray, COLOR_BGR2GRAY);
+    Mat mask(gray.size(), CV_8UC1, Scalar(255));
+    mask.colRange(0, 200).setTo(0);
+    const Keypoints all = detectKeypoints(gray, Mat(), Size2d(1, 1), 0.02);
+    const Keypoints inside = detectKeypoints(gray, mask, Size2d(1, 1), 0.02);
+    EXPECT_GT(inside.points.size(), 50u);
+    EXPECT_LT(inside.points.size(), all.points.size());
+    EXPECT_EQ(inside.descriptors.rows, static_cast<int>(inside.points.size()));
+    for (const Point2d& p : inside.points)
+        EXPECT_GT(p.x, 198.5);
+}
+
 TEST(Gcpw_Keypoints, a_flat_picture_has_none)
 {
-    const Keypoints none = detectKeypoints(Mat(100, 100, CV_8UC1, Scalar(70)), Size2d(1, 1), 0.005);
+    const Keypoints none = detectKeypoints(Mat(100, 100, CV_8UC1, Scalar(70)), Mat(), Size2d(1, 1), 0.005);
     EXPECT_TRUE(none.points.empty());
 }
 

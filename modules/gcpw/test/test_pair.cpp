@@ -11,15 +11,6 @@ using namespace cv::gcpw;
 const double BOUND = 0.1;        // px, mean over the overlap
 const double NOISY_BOUND = 0.25; // px, at two gray levels of noise
 
-/// Large enough that nothing but the default working resolution is in play.
-SceneOptions atWorkingResolution()
-{
-    SceneOptions options;
-    options.source_size = options.target_size = Size(880, 660);
-    options.rough = slightHomography(170);
-    return options;
-}
-
 Params with(Method method)
 {
     Params params;
@@ -27,11 +18,40 @@ Params with(Method method)
     return params;
 }
 
-/// Mean error of a method on a scene; a failed alignment is as wrong as can be.
+/// Mean error of an alignment on a scene; a failed one is as wrong as can be.
+double errorOf(const Scene& scene, const Params& params)
+{
+    const Alignment alignment = alignPair(scene.source(), scene.target(), params);
+    return alignment.ok() ? scene.meanError(alignment.image(0).mesh) : 1e6;
+}
+
 double errorOf(const Scene& scene, Method method)
 {
-    const Alignment alignment = alignPair(scene.source(), scene.target(), with(method));
-    return alignment.ok() ? scene.meanError(alignment.image(0).mesh) : 1e6;
+    return errorOf(scene, with(method));
+}
+
+/// MFW without the additions that give the matches the last word where its pixels mislead it.
+Params bareMfw()
+{
+    Params params = with(Method::MFW);
+    params.anchorWeight = 0;
+    return params;
+}
+
+SceneOptions recoloredScene(double noise)
+{
+    SceneOptions options;
+    options.recolored = true;
+    options.noise = noise;
+    return options;
+}
+
+/// Large enough that nothing but the default working resolution is in play.
+SceneOptions atWorkingResolution(SceneOptions options)
+{
+    options.source_size = options.target_size = Size(880, 660);
+    options.rough = slightHomography(170);
+    return options;
 }
 
 bool sameBits(const Mat& a, const Mat& b)
@@ -48,7 +68,7 @@ bool sameBits(const Alignment& a, const Alignment& b)
 
 TEST(Gcpw_Pair, truth_is_found_to_a_tenth_of_a_pixel_without_noise)
 {
-    const Scene scene(atWorkingResolution());
+    const Scene scene{SceneOptions()};
     EXPECT_GT(errorOf(scene, Method::GLOBAL), 1.0) << "the scene asks for nothing";
     EXPECT_LE(errorOf(scene, Method::MFW), BOUND);
     EXPECT_LE(errorOf(scene, Method::GCPW), BOUND);
@@ -56,7 +76,7 @@ TEST(Gcpw_Pair, truth_is_found_to_a_tenth_of_a_pixel_without_noise)
 
 TEST(Gcpw_Pair, truth_that_is_a_mesh_is_found_to_a_tenth_of_a_pixel)
 {
-    SceneOptions options = atWorkingResolution();
+    SceneOptions options;
     options.mesh_cells = 8;
     options.seed = 2;
     EXPECT_LE(errorOf(Scene(options), Method::GCPW), BOUND);
@@ -64,7 +84,7 @@ TEST(Gcpw_Pair, truth_that_is_a_mesh_is_found_to_a_tenth_of_a_pixel)
 
 TEST(Gcpw_Pair, truth_is_found_to_a_quarter_of_a_pixel_at_two_gray_levels_of_noise)
 {
-    SceneOptions options = atWorkingResolution();
+    SceneOptions options;
     options.noise = 2;
     const Scene scene(options);
     EXPECT_LE(errorOf(scene, Method::MFW), NOISY_BOUND);
@@ -73,36 +93,59 @@ TEST(Gcpw_Pair, truth_is_found_to_a_quarter_of_a_pixel_at_two_gray_levels_of_noi
 
 TEST(Gcpw_Pair, gcpw_keeps_the_bound_where_gain_and_bias_vary_and_mfw_does_not)
 {
-    SceneOptions options = atWorkingResolution();
-    options.recolored = true;
-    const Scene scene(options);
+    const Scene scene(recoloredScene(0));
     EXPECT_LE(errorOf(scene, Method::GCPW), BOUND);
-    EXPECT_GT(errorOf(scene, Method::MFW), 2 * BOUND);
+    EXPECT_GT(errorOf(scene, Method::MFW), BOUND);
+    EXPECT_GT(errorOf(scene, bareMfw()), 5 * BOUND);
 }
 
 TEST(Gcpw_Pair, gcpw_keeps_the_noisy_bound_where_gain_and_bias_vary_and_mfw_does_not)
 {
-    SceneOptions options = atWorkingResolution();
-    options.recolored = true;
-    options.noise = 2;
-    const Scene scene(options);
+    const Scene scene(recoloredScene(2));
     EXPECT_LE(errorOf(scene, Method::GCPW), NOISY_BOUND);
-    EXPECT_GT(errorOf(scene, Method::MFW), NOISY_BOUND);
+    EXPECT_GT(errorOf(scene, bareMfw()), NOISY_BOUND);
 }
 
-TEST(Gcpw_Pair, gcpw_keeps_the_bound_where_each_of_blue_green_and_red_changes_on_its_own)
+TEST(Gcpw_Pair, at_the_working_resolution_the_bounds_hold_where_blue_green_and_red_change_each_on_its_own)
 {
-    SceneOptions options = atWorkingResolution();
-    options.recolored = options.tinted = true;
+    SceneOptions options = atWorkingResolution(recoloredScene(0));
+    options.tinted = true;
     EXPECT_LE(errorOf(Scene(options), Method::GCPW), BOUND);
+    options.noise = 2;
+    EXPECT_LE(errorOf(Scene(options), Method::GCPW), NOISY_BOUND);
+}
+
+TEST(Gcpw_Pair, the_colors_found_undo_what_was_done_to_the_source)
+{
+    const Scene scene(recoloredScene(0));
+    const Alignment alignment = alignPair(scene.source(), scene.target());
+    ASSERT_TRUE(alignment.ok());
+    const Mat color = alignment.image(0).color;
+    double sum = 0;
+    int quads = 0;
+    for (int row = 0; row < color.rows; ++row)
+        for (int col = 0; col < color.cols; ++col)
+        {
+            const Point2d centre((col + 0.5) * 480.0 / color.cols - 0.5, (row + 0.5) * 360.0 / color.rows - 0.5);
+            if (!scene.insideTarget(scene.canvasAt(centre), 20))
+                continue;
+            Vec3d gain;
+            Vec3d bias;
+            scene.colorAt(centre, gain, bias);
+            const float* found = color.ptr<float>(row) + 6 * col;
+            // Gain and bias may trade against each other: judged at the texture's mean intensity. All channels alike.
+            sum += std::abs(found[0] * (gain[0] * 0.425 + bias[0]) + found[3] - 0.425);
+            ++quads;
+        }
+    EXPECT_GT(quads, color.rows * color.cols / 2);
+    EXPECT_LT(sum / quads, 0.015);
+    EXPECT_LT(alignment.report().gain_min, 0.9);
+    EXPECT_GT(alignment.report().gain_max, 1.1);
 }
 
 TEST(Gcpw_Pair, energy_never_rises_within_a_level)
 {
-    SceneOptions options;
-    options.recolored = true;
-    options.noise = 2;
-    const Scene scene(options);
+    const Scene scene(recoloredScene(2));
     for (const Method method : {Method::CPW, Method::DFW, Method::MFW, Method::GCPW})
     {
         const Alignment alignment = alignPair(scene.source(), scene.target(), with(method));
@@ -173,14 +216,12 @@ TEST(Gcpw_Pair, global_leaves_the_rough_alignment_and_others_do_not)
 
 TEST(Gcpw_Pair, one_thread_and_many_give_the_same_bits)
 {
-    SceneOptions options;
-    options.recolored = true;
-    const Scene scene(options);
+    const Scene scene(recoloredScene(0));
     const int threads = getNumThreads();
+    setNumThreads(2);
+    const Alignment many = alignPair(scene.source(), scene.target());
     setNumThreads(1);
     const Alignment one = alignPair(scene.source(), scene.target());
-    setNumThreads(4);
-    const Alignment many = alignPair(scene.source(), scene.target());
     setNumThreads(threads);
     EXPECT_TRUE(sameBits(one, many));
 }
@@ -203,7 +244,8 @@ TEST(Gcpw_Pair, the_same_photograph_twice_stays_where_it_is)
     EXPECT_NEAR(alignment.report().gain_min, 1, 0.02);
     EXPECT_NEAR(alignment.report().gain_max, 1, 0.02);
     ASSERT_EQ(alignment.report().pairs.size(), 1u);
-    EXPECT_LT(alignment.report().pairs[0].after.zncc, 1);
+    EXPECT_LT(alignment.report().pairs[0].miss_before, 1);
+    EXPECT_LT(alignment.report().pairs[0].miss_after, 1);
 }
 
 TEST(Gcpw_Pair, the_report_says_that_the_alignment_became_better)
@@ -215,17 +257,14 @@ TEST(Gcpw_Pair, the_report_says_that_the_alignment_became_better)
     const PairReport& pair = alignment.report().pairs[0];
     EXPECT_GT(pair.points, 100);
     EXPECT_GT(pair.lines, 5);
-    EXPECT_GT(pair.before.zncc, 10);
-    EXPECT_LT(pair.after.zncc, 0.5 * pair.before.zncc);
-    EXPECT_LT(pair.after.ncc, pair.before.ncc);
+    EXPECT_GT(pair.miss_before, 10);
+    EXPECT_LT(pair.miss_after, 0.2 * pair.miss_before);
 }
 
 TEST(Gcpw_Pair, the_papers_own_constants_find_the_truth_too)
 {
-    const Scene scene(atWorkingResolution());
-    const Alignment alignment = alignPair(scene.source(), scene.target(), Params::paper());
-    ASSERT_TRUE(alignment.ok());
-    EXPECT_LE(scene.meanError(alignment.image(0).mesh), NOISY_BOUND);
+    EXPECT_LE(errorOf(Scene(SceneOptions()), Params::paper()), NOISY_BOUND);
+    EXPECT_LE(errorOf(Scene(recoloredScene(0)), Params::paper()), NOISY_BOUND);
 }
 
 }} // namespace

@@ -35,8 +35,8 @@ bool sameMesh(const Alignment& a, const Alignment& b)
 
 TEST(Gcpw_PairInput, unrelated_photographs_have_no_alignment_and_a_message_with_the_counts)
 {
-    const Mat inputs[][2] = {{whiteNoise(Size(480, 360), 1), whiteNoise(Size(480, 360), 2)},
-                             {Scene(SceneOptions()).source(), whiteNoise(Size(480, 360), 3)}};
+    const Mat inputs[][2] = {{whiteNoise(Size(320, 240), 1), whiteNoise(Size(320, 240), 2)},
+                             {Scene(smallScene()).source(), whiteNoise(Size(320, 240), 3)}};
     for (const auto& pair : inputs)
     {
         const Alignment alignment = alignPair(pair[0], pair[1]);
@@ -48,16 +48,16 @@ TEST(Gcpw_PairInput, unrelated_photographs_have_no_alignment_and_a_message_with_
 
 TEST(Gcpw_PairInput, two_different_scenes_have_no_alignment)
 {
-    SceneOptions other;
+    SceneOptions other = smallScene();
     other.seed = 77;
-    const Alignment alignment = alignPair(Scene(SceneOptions()).source(), Scene(other).target());
+    const Alignment alignment = alignPair(Scene(smallScene()).source(), Scene(other).target());
     EXPECT_EQ(alignment.report().status, Status::NO_ALIGNMENT) << alignment.report().message;
 }
 
 TEST(Gcpw_PairInput, flat_photographs_have_no_alignment)
 {
-    const Mat flat(360, 480, CV_8UC3, Scalar::all(128));
-    const Mat picture = Scene(SceneOptions()).target();
+    const Mat flat(240, 320, CV_8UC3, Scalar::all(128));
+    const Mat picture = Scene(smallScene()).target();
     EXPECT_EQ(alignPair(flat, flat).report().status, Status::NO_ALIGNMENT);
     EXPECT_EQ(alignPair(flat, picture).report().status, Status::NO_ALIGNMENT);
     EXPECT_EQ(alignPair(picture, flat).report().status, Status::NO_ALIGNMENT);
@@ -65,7 +65,7 @@ TEST(Gcpw_PairInput, flat_photographs_have_no_alignment)
 
 TEST(Gcpw_PairInput, tiny_photographs_have_no_alignment)
 {
-    const Mat picture = Scene(SceneOptions()).target();
+    const Mat picture = Scene(smallScene()).target();
     for (const Size size : {Size(1, 1), Size(1, 40), Size(40, 1), Size(7, 5)})
     {
         const Mat tiny = picture(Rect(Point(), size));
@@ -110,7 +110,7 @@ TEST(Gcpw_PairInput, params_out_of_range_are_refused_before_any_work)
 
 TEST(Gcpw_PairInput, sixteen_bits_and_eight_are_the_same_photograph)
 {
-    const Scene scene{SceneOptions()};
+    const Scene scene{smallScene()};
     Mat deep[2];
     scene.source().convertTo(deep[0], CV_16U, 257);
     scene.target().convertTo(deep[1], CV_16U, 257);
@@ -121,7 +121,7 @@ TEST(Gcpw_PairInput, sixteen_bits_and_eight_are_the_same_photograph)
 
 TEST(Gcpw_PairInput, a_gray_photograph_is_one_of_equal_channels)
 {
-    const Scene scene{SceneOptions()};
+    const Scene scene{smallScene()};
     Mat gray[2];
     Mat equal[2];
     cv::cvtColor(scene.source(), gray[0], COLOR_BGR2GRAY);
@@ -135,7 +135,7 @@ TEST(Gcpw_PairInput, a_gray_photograph_is_one_of_equal_channels)
 
 TEST(Gcpw_PairInput, full_alpha_changes_nothing)
 {
-    const Scene scene{SceneOptions()};
+    const Scene scene{smallScene()};
     Mat opaque[2];
     cv::cvtColor(scene.source(), opaque[0], COLOR_BGR2BGRA);
     cv::cvtColor(scene.target(), opaque[1], COLOR_BGR2BGRA);
@@ -144,8 +144,8 @@ TEST(Gcpw_PairInput, full_alpha_changes_nothing)
 
 TEST(Gcpw_PairInput, what_alpha_hides_does_not_matter)
 {
-    const Scene scene{SceneOptions()};
-    const Rect hidden(180, 120, 90, 80);
+    const Scene scene{smallScene()};
+    const Rect hidden(120, 80, 60, 50);
     Alignment alignments[2];
     for (int i = 0; i < 2; ++i)
     {
@@ -155,7 +155,7 @@ TEST(Gcpw_PairInput, what_alpha_hides_does_not_matter)
         alignments[i] = alignPair(source, scene.target());
         ASSERT_TRUE(alignments[i].ok());
         const PairCanvas canvas = renderPair(alignments[i], source, scene.target());
-        const Point2d middle = scene.canvasAt(Point2d(225, 160)) + Point2d(canvas.target_origin);
+        const Point2d middle = scene.canvasAt(Point2d(150, 105)) + Point2d(canvas.target_origin);
         EXPECT_EQ(canvas.source_mask.at<uchar>(cvRound(middle.y), cvRound(middle.x)), 0);
     }
     EXPECT_TRUE(sameMesh(alignments[0], alignments[1]));
@@ -163,16 +163,16 @@ TEST(Gcpw_PairInput, what_alpha_hides_does_not_matter)
 
 TEST(Gcpw_PairInput, a_part_of_a_larger_image_is_as_good_as_a_copy)
 {
-    const Scene scene{SceneOptions()};
-    Mat frame(400, 520, CV_8UC3, Scalar::all(0));
-    Mat part = frame(Rect(20, 20, 480, 360));
+    const Scene scene{smallScene()};
+    Mat frame(280, 360, CV_8UC3, Scalar::all(0));
+    Mat part = frame(Rect(20, 20, 320, 240));
     scene.source().copyTo(part);
     EXPECT_TRUE(sameMesh(alignPair(scene.source(), scene.target()), alignPair(part, scene.target())));
 }
 
 TEST(Gcpw_PairInput, inputs_are_not_written_to)
 {
-    const Scene scene{SceneOptions()};
+    const Scene scene{smallScene()};
     const Mat source = scene.source().clone();
     const Mat target = scene.target().clone();
     alignPair(source, target);
@@ -182,7 +182,7 @@ TEST(Gcpw_PairInput, inputs_are_not_written_to)
 
 TEST(Gcpw_PairInput, progress_is_told_and_can_cancel)
 {
-    const Scene scene{SceneOptions()};
+    const Scene scene{smallScene()};
     std::vector<std::string> stages;
     const auto listen = [&](const std::string& stage, double fraction)
     {

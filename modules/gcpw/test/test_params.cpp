@@ -47,7 +47,8 @@ TEST(Gcpw_Params, paper_switches_every_addition_off)
     EXPECT_EQ(p.robustScale, 0);
     EXPECT_EQ(p.matchScale, 0);
     EXPECT_EQ(p.contrastFloor, 0);
-    EXPECT_EQ(p.denseWeight, 0);
+    EXPECT_EQ(p.anchorWeight, 0);
+    EXPECT_EQ(p.stopGain, 0) << "the paper ends when the mesh is stable";
 }
 
 TEST(Gcpw_Params, every_member_is_set_and_read_by_its_name)

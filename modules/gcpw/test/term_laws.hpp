@@ -1,0 +1,129 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_TEST_TERM_LAWS_HPP
+#define OPENCV_GCPW_TEST_TERM_LAWS_HPP
+
+#include "test_precomp.hpp"
+
+#include <functional>
+#include <vector>
+#include "model/color_grid.hpp"
+#include "model/mesh_grid.hpp"
+#include "recording_sink.hpp"
+#include "seeded.hpp"
+
+namespace opencv_test
+{
+
+/// Meshes and colours of all images: what an energy is a function of.
+struct TermState
+{
+    std::vector<cv::gcpw::MeshGrid> meshes;
+    std::vector<cv::gcpw::ColorGrid> colors;
+
+    explicit TermState(const std::vector<cv::gcpw::MeshGrid>& all) : meshes(all)
+    {
+        for (const cv::gcpw::MeshGrid& mesh : all)
+            colors.emplace_back(mesh.lattice());
+    }
+
+    std::vector<cv::gcpw::Lattice> lattices() const
+    {
+        std::vector<cv::gcpw::Lattice> all;
+        for (const cv::gcpw::MeshGrid& mesh : meshes)
+            all.push_back(mesh.lattice());
+        return all;
+    }
+
+    /// The state displaced by `d`, whose columns are those of RecordingSink.
+    TermState moved(const Eigen::VectorXd& d) const
+    {
+        TermState next = *this;
+        Eigen::Index k = 0;
+        for (cv::gcpw::MeshGrid& mesh : next.meshes)
+            for (Point2d& vertex : mesh.vertices())
+            {
+                vertex.x += d[k++];
+                vertex.y += d[k++];
+            }
+        for (cv::gcpw::ColorGrid& grid : next.colors)
+            for (int cell = 0; cell < grid.lattice().cellCount(); ++cell)
+                for (cv::gcpw::ChannelAffine& map : grid.quad(cell))
+                {
+                    map.gain += d[k++];
+                    map.bias += d[k++];
+                }
+        return next;
+    }
+};
+
+/// Pours a term at a state and returns the energy it reports.
+typedef std::function<double(const TermState&, cv::gcpw::ResidualSink&)> PourTerm;
+
+/// A random displacement of the unknowns [first, last) of a sink, of unit length per unknown, zero elsewhere.
+inline Eigen::VectorXd randomMotion(const RecordingSink& sink, int first, int last, uint64_t seed)
+{
+    RNG rng = seeded(seed);
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(sink.columns());
+    for (int k = first; k < last; ++k)
+        d[k] = rng.uniform(-1.0, 1.0);
+    return d;
+}
+
+/** @brief The gradient that a term pours is the slope of the energy it reports, along random motions of the unknowns
+[first, last).
+@param step of the central difference  @param tolerance relative to the steepest of all slopes */
+inline void expectGradientIsSlope(const PourTerm& pour, const TermState& state, int first, int last, double step,
+                                  double tolerance)
+{
+    RecordingSink sink(state.lattices());
+    pour(state, sink);
+    const Eigen::VectorXd gradient = 2 * sink.gradient();
+    ASSERT_GT(gradient.segment(first, last - first).norm(), 0) << "nothing to differentiate";
+    for (int trial = 0; trial < 20; ++trial)
+    {
+        const Eigen::VectorXd d = randomMotion(sink, first, last, trial);
+        RecordingSink ignored(state.lattices());
+        const double high = pour(state.moved(step * d), ignored);
+        const double low = pour(state.moved(-step * d), ignored);
+        EXPECT_NEAR((high - low) / (2 * step), gradient.dot(d),
+                    tolerance * gradient.segment(first, last - first).norm())
+            << "trial " << trial;
+    }
+}
+
+/** @brief What a term pours says its energy at every other state too: energy + 2 gradient . d + d^T matrix d.
+
+True where residuals are linear and the loss is the square: then it holds every Jacobian to account.
+@param size of the random displacement of each unknown  @param tolerance relative to the energy there */
+inline void expectExactlyQuadratic(const PourTerm& pour, const TermState& state, int first, int last, double size,
+                                   double tolerance)
+{
+    RecordingSink sink(state.lattices());
+    const double energy = pour(state, sink);
+    const Eigen::VectorXd gradient = sink.gradient();
+    const Eigen::MatrixXd matrix = sink.matrix();
+    double change = 0;
+    for (int trial = 0; trial < 10; ++trial)
+    {
+        const Eigen::VectorXd d = size * randomMotion(sink, first, last, trial);
+        RecordingSink ignored(state.lattices());
+        const double expected = energy + 2 * gradient.dot(d) + d.dot(matrix * d);
+        const double found = pour(state.moved(d), ignored);
+        EXPECT_NEAR(found, expected, tolerance * found) << "trial " << trial;
+        change = std::max(change, std::abs(found - energy));
+    }
+    EXPECT_GT(change, 100 * tolerance * energy) << "nothing changes";
+}
+
+/// The energy that a term reports is what the poured rows and blocks add up to.
+inline void expectEnergyIsSumOfRows(const PourTerm& pour, const TermState& state)
+{
+    RecordingSink sink(state.lattices());
+    const double energy = pour(state, sink);
+    EXPECT_GT(energy, 0);
+    EXPECT_NEAR(sink.energy(), energy, 1e-9 * energy);
+}
+
+} // namespace opencv_test
+
+#endif

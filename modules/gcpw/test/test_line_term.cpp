@@ -1,0 +1,216 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "test_precomp.hpp"
+
+#include "bent_mesh.hpp"
+#include "term_laws.hpp"
+#include "terms/line_term.hpp"
+
+namespace opencv_test { namespace {
+
+using namespace cv::gcpw;
+
+const Lattice MOVING(Size(80, 60), 4, 3);
+const Lattice PARTNER(Size(100, 80), 5, 4);
+const double STEP = 5;
+const int MOVING_COLUMNS = 2 * MOVING.vertexCount();
+
+/// An affine moving mesh over a partner at rest: straight lines stay straight.
+TermState affineState()
+{
+    return TermState({affineMesh(MeshGrid(MOVING), Matx22d(1.1, 0.1, -0.05, 0.95), Point2d(6, 9)), MeshGrid(PARTNER)});
+}
+
+TermState bentState()
+{
+    return TermState({bentMesh(MOVING, 3, 1, Point2d(6, 9)), bentMesh(PARTNER, 3, 2)});
+}
+
+/// Segments of the moving image and pieces of the lines they come to lie on, moved aside by up to `error_px`.
+std::vector<LineMatch> matchesOf(const TermState& state, int count, double error_px, uint64_t seed)
+{
+    RNG rng = seeded(seed);
+    std::vector<LineMatch> matches(count);
+    for (LineMatch& match : matches)
+    {
+        match.a.start = Point2d(rng.uniform(5.0, 70.0), rng.uniform(5.0, 50.0));
+        match.a.end = Point2d(rng.uniform(5.0, 70.0), rng.uniform(5.0, 50.0));
+        const Segment there{state.meshes[0].warp(match.a.start), state.meshes[0].warp(match.a.end)};
+        const Point2d aside = rng.uniform(-error_px, error_px) * there.line().normal;
+        match.b = {there.at(0.1) + aside, there.at(0.8) + aside};
+        match.weight = rng.uniform(0.5, 2.0);
+    }
+    return matches;
+}
+
+PourTerm pourLines(const std::vector<LineMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
+{
+    const LineTerm term(0, 1, MOVING, PARTNER, matches, STEP, weight);
+    return [term, loss](const TermState& state, ResidualSink& sink)
+    { return term.linearize(state.meshes[0], state.meshes[1], loss, sink); };
+}
+
+TEST(Gcpw_LineTerm, it_is_zero_at_the_truth)
+{
+    const TermState truth = affineState();
+    RecordingSink sink(truth.lattices());
+    EXPECT_NEAR(pourLines(matchesOf(truth, 20, 0, 3), 2)(truth, sink), 0, 1e-15);
+    EXPECT_FALSE(sink.rows.empty());
+    EXPECT_LT(sink.gradient().norm(), 1e-6);
+}
+
+TEST(Gcpw_LineTerm, samples_lie_every_few_pixels_from_end_to_end)
+{
+    const TermState state = affineState();
+    LineMatch match;
+    match.a = {Point2d(10, 10), Point2d(10 + 23, 10)};
+    match.b = {Point2d(10, 20), Point2d(40, 20)};
+    RecordingSink sink(state.lattices());
+    pourLines({match}, 1)(state, sink);
+    ASSERT_EQ(sink.rows.size(), 5u); // 23 px: four steps of at least 5 px
+    match.a.end = match.a.start + Point2d(2, 0);
+    RecordingSink of_short(state.lattices());
+    pourLines({match}, 1)(state, of_short);
+    EXPECT_EQ(of_short.rows.size(), 2u) << "both ends at least";
+}
+
+TEST(Gcpw_LineTerm, its_energy_is_the_weighted_sum_of_squared_distances_to_the_partners_line)
+{
+    const TermState state = bentState();
+    LineMatch match;
+    match.a = {Point2d(10, 10), Point2d(50, 40)}; // 50 px: eleven samples
+    match.b = {Point2d(20, 15), Point2d(60, 52)};
+    match.weight = 0.7;
+    const Line line = Segment{state.meshes[1].warp(match.b.start), state.meshes[1].warp(match.b.end)}.line();
+    double expected = 0;
+    for (int k = 0; k <= 10; ++k)
+        expected += 2 * 0.7 * std::pow(line.distance(state.meshes[0].warp(match.a.at(0.1 * k))), 2);
+    RecordingSink sink(state.lattices());
+    EXPECT_NEAR(pourLines({match}, 2)(state, sink), expected, 1e-9 * expected);
+}
+
+TEST(Gcpw_LineTerm, energy_equals_the_sum_of_squared_rows)
+{
+    const TermState state = bentState();
+    expectEnergyIsSumOfRows(pourLines(matchesOf(affineState(), 20, 5, 4), 2), state);
+}
+
+TEST(Gcpw_LineTerm, jacobian_by_the_moving_image_equals_finite_differences)
+{
+    const TermState state = bentState();
+    const PourTerm pour = pourLines(matchesOf(affineState(), 20, 5, 5), 2);
+    expectExactlyQuadratic(pour, state, 0, MOVING_COLUMNS, 2.0, 1e-9);
+    expectGradientIsSlope(pour, state, 0, MOVING_COLUMNS, 1e-3, 1e-7);
+}
+
+TEST(Gcpw_LineTerm, a_robust_gradient_is_the_slope_of_the_robust_energy)
+{
+    expectGradientIsSlope(pourLines(matchesOf(affineState(), 20, 5, 6), 2, RobustLoss(2)), bentState(), 0,
+                          MOVING_COLUMNS, 1e-4, 1e-6);
+}
+
+TEST(Gcpw_LineTerm, jacobian_by_the_partner_equals_finite_differences_while_the_segment_stays_straight)
+{
+    // A segment along a row of one quad of the partner: its points move as its two ends do, so that the row is exact.
+    const TermState state = affineState();
+    LineMatch match;
+    match.b = {Point2d(22, 30), Point2d(37, 30)};
+    const Matx22d back = Matx22d(1.1, 0.1, -0.05, 0.95).inv();
+    const auto inMoving = [&](Point2d canvas)
+    {
+        const Vec2d p = back * Vec2d(canvas.x - 6, canvas.y - 9);
+        return Point2d(p[0], p[1]);
+    };
+    match.a = {inMoving(Point2d(24, 33)), inMoving(Point2d(35, 31))};
+    ASSERT_EQ(PARTNER.locate(match.b.start).cell, PARTNER.locate(match.b.end).cell);
+    const PourTerm pour = pourLines({match}, 1);
+    RecordingSink sink(state.lattices());
+    expectGradientIsSlope(pour, state, MOVING_COLUMNS, sink.meshColumns(), 1e-4, 1e-6);
+}
+
+TEST(Gcpw_LineTerm, sliding_along_the_line_changes_nothing)
+{
+    const TermState state = affineState();
+    LineMatch match;
+    match.b = {Point2d(20, 20), Point2d(70, 50)};
+    match.a = {Point2d(10, 12), Point2d(50, 30)};
+    const PourTerm pour = pourLines({match}, 1);
+    TermState slid = state;
+    slid.meshes[0] = affineMesh(state.meshes[0], Matx22d::eye(), 0.2 * match.b.direction());
+    RecordingSink one(state.lattices());
+    RecordingSink other(state.lattices());
+    EXPECT_GT(pour(state, one), 1);
+    EXPECT_NEAR(pour(state, one), pour(slid, other), 1e-9);
+}
+
+TEST(Gcpw_LineTerm, moving_both_images_alike_changes_nothing)
+{
+    const TermState state = bentState();
+    TermState shifted = state;
+    for (MeshGrid& mesh : shifted.meshes)
+        mesh = affineMesh(mesh, Matx22d::eye(), Point2d(13, -9));
+    const PourTerm pour = pourLines(matchesOf(affineState(), 20, 5, 7), 2);
+    RecordingSink one(state.lattices());
+    RecordingSink other(state.lattices());
+    EXPECT_NEAR(pour(state, one), pour(shifted, other), 1e-8);
+    for (const RecordingSink::Row& row : one.rows)
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            double sum = 0;
+            for (int k = axis; k < 8; k += 2)
+                sum += row.row_a[k] + row.row_b[k];
+            EXPECT_NEAR(sum, 0, 1e-12);
+        }
+}
+
+TEST(Gcpw_LineTerm, distances_are_root_mean_squares_in_the_order_given)
+{
+    const TermState state = affineState();
+    const std::vector<LineMatch> matches = matchesOf(state, 8, 6, 8);
+    const std::vector<double> distances =
+        LineTerm(0, 1, MOVING, PARTNER, matches, STEP, 1).distances(state.meshes[0], state.meshes[1]);
+    ASSERT_EQ(distances.size(), matches.size());
+    for (size_t i = 0; i < matches.size(); ++i)
+    {
+        // The partner is parallel: every sample is equally far.
+        const double expected = std::abs(matches[i].b.line().distance(state.meshes[0].warp(matches[i].a.start)));
+        EXPECT_NEAR(distances[i], expected, 1e-9);
+    }
+}
+
+TEST(Gcpw_LineTerm, without_matches_there_are_no_rows)
+{
+    const TermState state = bentState();
+    RecordingSink sink(state.lattices());
+    EXPECT_EQ(pourLines({}, 2)(state, sink), 0);
+    EXPECT_TRUE(sink.empty());
+}
+
+TEST(Gcpw_LineTerm, a_partner_without_length_gives_no_rows)
+{
+    const TermState state = affineState();
+    LineMatch match;
+    match.a = {Point2d(10, 10), Point2d(40, 10)};
+    match.b = {Point2d(20, 20), Point2d(20, 20)};
+    RecordingSink sink(state.lattices());
+    EXPECT_EQ(pourLines({match}, 1)(state, sink), 0);
+    EXPECT_TRUE(sink.empty());
+}
+
+TEST(Gcpw_LineTerm, samples_outside_the_moving_image_give_no_rows)
+{
+    const TermState state = affineState();
+    LineMatch match;
+    match.a = {Point2d(-20, 30), Point2d(-10, 30)};
+    match.b = {Point2d(20, 20), Point2d(40, 20)};
+    RecordingSink sink(state.lattices());
+    EXPECT_EQ(pourLines({match}, 1)(state, sink), 0);
+    EXPECT_TRUE(sink.empty());
+}
+
+TEST(Gcpw_LineTerm, a_step_that_leads_nowhere_is_refused)
+{
+    EXPECT_THROW(LineTerm(0, 1, MOVING, PARTNER, {}, 0, 1), cv::Exception);
+    EXPECT_THROW(LineTerm(0, 1, MOVING, PARTNER, {}, -5, 1), cv::Exception);
+}
+
+}} // namespace

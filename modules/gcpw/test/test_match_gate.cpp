@@ -1,0 +1,112 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "test_precomp.hpp"
+
+#include "geometry/homography.hpp"
+#include "pipeline/match_gate.hpp"
+#include "scene.hpp"
+
+namespace opencv_test { namespace {
+
+using namespace cv::gcpw;
+
+struct Gated
+{
+    std::vector<PointMatch> before;
+    std::vector<PointMatch> after;
+    MeshGrid mesh;
+    bool fitted = false;
+};
+
+/// Gates matches of the default scene, from its rough homography.
+Gated gate(const Scene& scene, std::vector<PointMatch> matches)
+{
+    const SceneOptions options;
+    MeshGrid rough(Lattice(options.source_size, 16, 16));
+    for (Point2d& vertex : rough.vertices())
+        vertex = applyHomography(options.rough, vertex);
+    Gated gated;
+    gated.before = matches;
+    gated.mesh = rough;
+    gated.fitted =
+        gateMatches(matches, gated.mesh, rough, MeshGrid(Lattice(scene.target().size(), 16, 16)), GateSchedule());
+    gated.after = matches;
+    return gated;
+}
+
+int trueOnes(const Scene& scene, const std::vector<PointMatch>& matches)
+{
+    int count = 0;
+    for (const PointMatch& match : matches)
+        count += cv::norm(scene.canvasAt(match.a) - match.b) < 3;
+    return count;
+}
+
+TEST(Gcpw_MatchGate, without_outliers_everything_is_kept)
+{
+    const Scene scene{SceneOptions()};
+    const Gated gated = gate(scene, scene.pointMatches(300, 1, 0.3));
+    ASSERT_TRUE(gated.fitted);
+    EXPECT_EQ(gated.after.size(), 300u);
+}
+
+TEST(Gcpw_MatchGate, true_matches_are_kept_and_outliers_dropped)
+{
+    const Scene scene{SceneOptions()};
+    for (const double wrong_share : {0.1, 0.3, 0.5})
+    {
+        const Gated gated = gate(scene, scene.pointMatches(600, 2, 0.3, wrong_share));
+        ASSERT_TRUE(gated.fitted);
+        const int before = trueOnes(scene, gated.before);
+        const int kept = trueOnes(scene, gated.after);
+        EXPECT_NEAR(before, 600 * (1 - wrong_share), 40);
+        EXPECT_GE(kept, 0.97 * before) << wrong_share;
+        EXPECT_LE(static_cast<int>(gated.after.size()) - kept, 0.01 * (600 - before)) << wrong_share;
+    }
+}
+
+TEST(Gcpw_MatchGate, the_fitted_mesh_follows_the_true_matches)
+{
+    const Scene scene{SceneOptions()};
+    const Gated gated = gate(scene, scene.pointMatches(600, 3, 0.3, 0.3));
+    double sum = 0;
+    for (const PointMatch& match : scene.pointMatches(200, 4))
+        sum += cv::norm(gated.mesh.warp(match.a) - match.b) / 200;
+    EXPECT_LT(sum, 0.5);
+}
+
+TEST(Gcpw_MatchGate, kept_matches_keep_their_order)
+{
+    const Scene scene{SceneOptions()};
+    const Gated gated = gate(scene, scene.pointMatches(200, 5, 0.3, 0.4));
+    size_t next = 0;
+    for (const PointMatch& match : gated.after)
+    {
+        while (next < gated.before.size() && gated.before[next].a != match.a)
+            ++next;
+        ASSERT_LT(next, gated.before.size());
+    }
+}
+
+TEST(Gcpw_MatchGate, without_matches_the_mesh_stays)
+{
+    const Scene scene{SceneOptions()};
+    const Gated gated = gate(scene, {});
+    ASSERT_TRUE(gated.fitted);
+    EXPECT_TRUE(gated.after.empty());
+    MeshGrid rough(gated.mesh.lattice());
+    for (Point2d& vertex : rough.vertices())
+        vertex = applyHomography(SceneOptions().rough, vertex);
+    EXPECT_LT(maxVertexDistance(gated.mesh, rough), 1e-6);
+}
+
+TEST(Gcpw_MatchGate, matches_that_are_not_numbers_leave_everything_as_it_was)
+{
+    const Scene scene{SceneOptions()};
+    std::vector<PointMatch> matches = scene.pointMatches(50, 6);
+    matches[7].b.x = std::numeric_limits<double>::quiet_NaN();
+    const Gated gated = gate(scene, matches);
+    EXPECT_FALSE(gated.fitted);
+    EXPECT_EQ(gated.after.size(), 50u);
+}
+
+}} // namespace

@@ -1,0 +1,146 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "test_precomp.hpp"
+
+#include "bent_mesh.hpp"
+#include "term_laws.hpp"
+#include "terms/similarity_term.hpp"
+
+namespace opencv_test { namespace {
+
+using namespace cv::gcpw;
+
+const Lattice LATTICE(Size(80, 60), 4, 3);
+const double WEIGHT = 0.5;
+const int COLUMNS = 2 * LATTICE.vertexCount();
+
+MeshGrid rough()
+{
+    return bentMesh(LATTICE, 3, 1, Point2d(200, 100));
+}
+
+TermState deformed()
+{
+    return TermState({bentMesh(LATTICE, 4, 2, Point2d(190, 120))});
+}
+
+PourTerm pourSimilarity(const SimilarityTerm& term)
+{
+    return [term](const TermState& state, ResidualSink& sink) { return term.linearize(state.meshes[0], sink); };
+}
+
+/// Equation st1 as it stands: how far v1 is from where v2, v3 and its rough coordinates (u, v) put it, squared.
+double triangleEnergy(const Point2d (&before)[3], const Point2d (&after)[3])
+{
+    const auto rotated = [](Point2d p) { return Point2d(p.y, -p.x); };
+    const Point2d edge = before[2] - before[1];
+    const Point2d offset = before[0] - before[1];
+    const double u = offset.dot(edge) / edge.dot(edge);
+    const double v = offset.dot(rotated(edge)) / edge.dot(edge);
+    const Point2d now = after[2] - after[1];
+    const Point2d r = after[0] - (after[1] + u * now + v * rotated(now));
+    return r.dot(r);
+}
+
+TEST(Gcpw_SimilarityTerm, it_is_zero_at_the_rough_mesh)
+{
+    const SimilarityTerm term(0, rough(), WEIGHT);
+    RecordingSink sink({LATTICE});
+    EXPECT_NEAR(term.linearize(rough(), sink), 0, 1e-12);
+    EXPECT_EQ(sink.blocks.size(), static_cast<size_t>(LATTICE.cellCount()));
+    EXPECT_LT(sink.gradient().norm(), 1e-9);
+    EXPECT_NEAR(term.energy(rough()), 0, 1e-12);
+}
+
+TEST(Gcpw_SimilarityTerm, it_does_not_feel_a_similarity_of_the_whole_mesh)
+{
+    const SimilarityTerm term(0, rough(), WEIGHT);
+    for (const double angle : {0.3, 2.0, -1.2})
+        for (const double scale : {0.5, 1.0, 3.0})
+        {
+            const Matx22d turn(scale * std::cos(angle), -scale * std::sin(angle), scale * std::sin(angle),
+                               scale * std::cos(angle));
+            EXPECT_NEAR(term.energy(affineMesh(rough(), turn, Point2d(-300, 70))), 0, 1e-9);
+        }
+}
+
+TEST(Gcpw_SimilarityTerm, it_feels_shear_stretch_and_mirror)
+{
+    const SimilarityTerm term(0, rough(), WEIGHT);
+    EXPECT_GT(term.energy(affineMesh(rough(), Matx22d(1, 0.1, 0, 1), Point2d())), 1);
+    EXPECT_GT(term.energy(affineMesh(rough(), Matx22d(1.1, 0, 0, 1), Point2d())), 1);
+    EXPECT_GT(term.energy(affineMesh(rough(), Matx22d(-1, 0, 0, 1), Point2d())), 1);
+}
+
+TEST(Gcpw_SimilarityTerm, its_energy_is_that_of_equation_st1_over_two_triangles_a_quad)
+{
+    const MeshGrid before = rough();
+    const MeshGrid after = deformed().meshes[0];
+    double expected = 0;
+    for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
+    {
+        const auto corners = [&](const MeshGrid& mesh, int i, int j, int k, Point2d(&out)[3])
+        {
+            out[0] = mesh.vertex(cell, i);
+            out[1] = mesh.vertex(cell, j);
+            out[2] = mesh.vertex(cell, k);
+        };
+        Point2d p[3];
+        Point2d q[3];
+        corners(before, 0, 1, 2, p);
+        corners(after, 0, 1, 2, q);
+        expected += WEIGHT * triangleEnergy(p, q);
+        corners(before, 3, 2, 1, p);
+        corners(after, 3, 2, 1, q);
+        expected += WEIGHT * triangleEnergy(p, q);
+    }
+    EXPECT_NEAR(SimilarityTerm(0, before, WEIGHT).energy(after), expected, 1e-9 * expected);
+}
+
+TEST(Gcpw_SimilarityTerm, energy_equals_the_sum_of_the_poured_blocks)
+{
+    expectEnergyIsSumOfRows(pourSimilarity(SimilarityTerm(0, rough(), WEIGHT)), deformed());
+}
+
+TEST(Gcpw_SimilarityTerm, jacobian_equals_finite_differences)
+{
+    const PourTerm pour = pourSimilarity(SimilarityTerm(0, rough(), WEIGHT));
+    expectExactlyQuadratic(pour, deformed(), 0, COLUMNS, 2.0, 1e-9);
+    expectGradientIsSlope(pour, deformed(), 0, COLUMNS, 1e-3, 1e-7);
+}
+
+TEST(Gcpw_SimilarityTerm, a_stiffened_quad_counts_more_and_alone)
+{
+    const MeshGrid mesh = deformed().meshes[0];
+    SimilarityTerm term(0, rough(), WEIGHT);
+    const double before = term.energy(mesh);
+    RecordingSink added({LATTICE});
+    term.stiffen(5, 4, mesh, added);
+    const double after = term.energy(mesh);
+    ASSERT_EQ(added.blocks.size(), 1u);
+    EXPECT_EQ(added.blocks[0].quad.cell, 5);
+    EXPECT_GT(after, before);
+    EXPECT_NEAR(added.energy(), after - before, 1e-9 * after) << "what was poured is what was added";
+    // The quad's own share is a third of what a factor of four adds.
+    RecordingSink all({LATTICE});
+    SimilarityTerm(0, rough(), WEIGHT).linearize(mesh, all);
+    EXPECT_NEAR(after - before, 3 * all.blocks[5].block.energy, 1e-9 * after);
+    term.stiffen(5, 2, mesh, added);
+    EXPECT_NEAR(term.energy(mesh) - before, 7 * all.blocks[5].block.energy, 1e-9 * after);
+}
+
+TEST(Gcpw_SimilarityTerm, a_stiffened_quad_still_does_not_feel_a_similarity)
+{
+    SimilarityTerm term(0, rough(), WEIGHT);
+    RecordingSink ignored({LATTICE});
+    term.stiffen(5, 100, rough(), ignored);
+    EXPECT_NEAR(term.energy(affineMesh(rough(), Matx22d(0, -2, 2, 0), Point2d(5, 5))), 0, 1e-8);
+}
+
+TEST(Gcpw_SimilarityTerm, numbers_stay_good_far_from_the_origin)
+{
+    const SimilarityTerm term(0, rough(), WEIGHT);
+    const MeshGrid far = affineMesh(deformed().meshes[0], Matx22d::eye(), Point2d(1e7, -1e7));
+    EXPECT_NEAR(term.energy(far), term.energy(deformed().meshes[0]), 1e-4);
+}
+
+}} // namespace
