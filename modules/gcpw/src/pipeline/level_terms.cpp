@@ -42,6 +42,7 @@ void LevelTerms::enterLevel(int level)
     options.step = params_.sampleStep;
     options.weight = params_.photometricWeight;
     options.contrast_floor = params_.contrastFloor;
+    options.gain_support = recipe_.colors ? params_.gainSupport : 0;
     pixels_.clear();
     anchors_.clear();
     for (const ProblemPair& pair : problem_.pairs)

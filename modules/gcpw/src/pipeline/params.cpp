@@ -45,6 +45,7 @@ const Field FIELDS[] = {
     {"contrastFloor", nullptr, &Params::contrastFloor, 0, 1, true},
     {"robustScale", nullptr, &Params::robustScale, 0, INF, true},
     {"matchScale", nullptr, &Params::matchScale, 0, INF, true},
+    {"gainSupport", nullptr, &Params::gainSupport, 0, INF, true},
     {"anchorWeight", nullptr, &Params::anchorWeight, 0, INF, true},
     {"revertRatio", nullptr, &Params::revertRatio, 1, INF, true},
     {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
@@ -77,6 +78,7 @@ Params Params::paper()
     p.contrastFloor = 0;
     p.robustScale = 0;
     p.matchScale = 0;
+    p.gainSupport = 0;
     p.anchorWeight = 0;
     return p;
 }

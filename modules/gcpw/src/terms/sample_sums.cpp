@@ -1,6 +1,9 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "terms/sample_sums.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cv
 {
 namespace gcpw
@@ -8,6 +11,9 @@ namespace gcpw
 
 namespace
 {
+
+const double MIN_VARIANCE = 1e-6; ///< of an intensity: below is rounding of 8-bit images
+const double MAX_GAIN = 3;        ///< between two photographs of one scene
 
 /// Folds sums over pairs of corners out into the upper triangle of an 8 x 8 block.
 void unfold(const double (&curvature)[10][3], double weight, QuadBlock& block)
@@ -66,6 +72,7 @@ void SampleSums::add(const float* corner_weight, const LinearSample& s)
         color_[c][2] += w;
         color_[c][3] += w * i * s.residual[c];
         color_[c][4] += w * s.residual[c];
+        color_[c][5] += w * s.residual[c] * s.residual[c];
     }
     int pair = 0;
     for (int k = 0; k < 4; ++k)
@@ -106,6 +113,33 @@ ColoredBlock SampleSums::block(double weight) const
     }
     block.samples = samples_;
     return block;
+}
+
+void SampleSums::supportGain(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        const double* s = color_[c];
+        if (!(s[2] > 0))
+            continue;
+        // The corrected target is T = G I + B - r; its moments follow from those of I and r.
+        const double gain = now[c][0];
+        const double mean_i = s[1] / s[2];
+        const double mean_r = s[4] / s[2];
+        const double var_i = s[0] / s[2] - mean_i * mean_i;
+        const double cov_ir = s[3] / s[2] - mean_i * mean_r;
+        const double var_r = s[5] / s[2] - mean_r * mean_r;
+        const double var_t = gain * gain * var_i - 2 * gain * cov_ir + var_r;
+        const double cov_it = gain * var_i - cov_ir;
+        if (!(var_i > MIN_VARIANCE) || !(var_t > MIN_VARIANCE))
+            continue;
+        const double unlike = std::max(1 - cov_it * cov_it / (var_i * var_t), 0.0);
+        const double wanted = std::min(std::max(std::sqrt(var_t / var_i), 1 / MAX_GAIN), MAX_GAIN);
+        const double stiffness = weight * support * unlike * s[2] * var_i;
+        block.color_color[c][0] += stiffness;
+        block.color_gradient[c][0] += stiffness * (gain - wanted);
+        block.energy += stiffness * (gain - wanted) * (gain - wanted);
+    }
 }
 
 void PartnerSums::add(const float* corner_weight, const double* partner_weight, const LinearSample& s)

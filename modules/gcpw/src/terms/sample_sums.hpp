@@ -35,10 +35,19 @@ public:
     /// The block of all samples, times `weight`.
     ColoredBlock block(double weight) const;
 
+    /** @brief Holds the gains of a block up where its samples do not correlate; adds the energy of that.
+
+        E_v = weight * support * sum_c (1 - rho^2) n var(I) (G - sd(T) / sd(I))^2
+
+    Least squares makes the gain rho * sd(T) / sd(I): where the images do not line up or show different things it falls
+    towards zero, the texture fades, and with it the force that would align it.
+    @param now gain, bias per channel at which the samples were taken */
+    void supportGain(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const;
+
 private:
     double curvature_[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
     double corner_[4][14] = {};    ///< per corner: sum w_k (gx r, gy r), then per channel w_k (gx I, gx, gy I, gy)
-    double color_[3][5] = {};      ///< per channel: sum I I, I, 1, I r, r
+    double color_[3][6] = {};      ///< per channel: sum I I, I, 1, I r, r, r r
     int samples_ = 0;
 };
 

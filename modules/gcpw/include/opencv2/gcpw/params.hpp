@@ -87,6 +87,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// Geman-McClure scale of a sample's residual on the finest level, in local standard deviations; doubled from level to
     /// coarser level. 0: plain squares.
     CV_PROP_RW double robustScale = 2;
+    /// How firmly the gain of a quad whose samples do not correlate is held at the ratio of its contrasts; 0: not at all.
+    CV_PROP_RW double gainSupport = 3;
     /// Geman-McClure scale of point and line matches, px. 0: plain squares.
     CV_PROP_RW double matchScale = 2;
     /// Weight that holds a quad where the matches alone had put it, if pixels made it worse. 0: never.
