@@ -1,0 +1,77 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "pipeline/image_graph.hpp"
+
+#include <algorithm>
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+const int MIN_AREA = 400;      ///< px: a smaller overlap holds no quad and says nothing
+const double MIN_SHARE = 0.01; ///< of the smaller image
+
+} // namespace
+
+std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks)
+{
+    CV_Assert(corners.size() == masks.size());
+    std::vector<Overlap> overlaps;
+    for (size_t i = 0; i < masks.size(); ++i)
+        for (size_t j = i + 1; j < masks.size(); ++j)
+        {
+            const Rect shared = Rect(corners[i], masks[i].size()) & Rect(corners[j], masks[j].size());
+            if (shared.area() < MIN_AREA)
+                continue;
+            const Mat both = masks[i](shared - corners[i]) & masks[j](shared - corners[j]);
+            const int area = countNonZero(both);
+            const double smaller = static_cast<double>(std::min(masks[i].total(), masks[j].total()));
+            if (area >= MIN_AREA && area >= MIN_SHARE * smaller)
+                overlaps.push_back({static_cast<int>(i), static_cast<int>(j), area});
+        }
+    return overlaps;
+}
+
+int mostCentral(int images, const std::vector<Overlap>& overlaps)
+{
+    std::vector<std::vector<int>> neighbours(images);
+    std::vector<double> area(images, 0);
+    for (const Overlap& overlap : overlaps)
+    {
+        neighbours[overlap.a].push_back(overlap.b);
+        neighbours[overlap.b].push_back(overlap.a);
+        area[overlap.a] += overlap.area;
+        area[overlap.b] += overlap.area;
+    }
+    int best = 0;
+    int best_sum = -1;
+    for (int root = 0; root < images; ++root)
+    {
+        // Breadth first; an image out of reach counts as farther than any path.
+        std::vector<int> distance(images, images);
+        std::vector<int> queue(1, root);
+        distance[root] = 0;
+        for (size_t k = 0; k < queue.size(); ++k)
+            for (int next : neighbours[queue[k]])
+                if (distance[next] == images)
+                {
+                    distance[next] = distance[queue[k]] + 1;
+                    queue.push_back(next);
+                }
+        int sum = 0;
+        for (int d : distance)
+            sum += d;
+        if (best_sum < 0 || sum < best_sum || (sum == best_sum && area[root] > area[best]))
+        {
+            best = root;
+            best_sum = sum;
+        }
+    }
+    return best;
+}
+
+} // namespace gcpw
+} // namespace cv

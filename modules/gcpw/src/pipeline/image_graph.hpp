@@ -1,0 +1,31 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_IMAGE_GRAPH_HPP
+#define OPENCV_GCPW_IMAGE_GRAPH_HPP
+
+#include <vector>
+#include <opencv2/core.hpp>
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// Two images that share canvas pixels.
+struct Overlap
+{
+    int a = -1; ///< a < b
+    int b = -1;
+    int area = 0; ///< px inside both masks
+};
+
+/** @brief Every pair of images that overlap enough to be aligned to each other, in ascending order.
+@param corners canvas position of each image  @param masks CV_8UC1, non-zero inside */
+std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks);
+
+/// The image from which all others are reached over the fewest overlaps in all; of equals the one that overlaps most.
+int mostCentral(int images, const std::vector<Overlap>& overlaps);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
