@@ -28,7 +28,8 @@ Gated gate(const Scene& scene, std::vector<PointMatch> matches)
     gated.before = matches;
     gated.mesh = rough;
     gated.fitted =
-        gateMatches(matches, gated.mesh, rough, MeshGrid(Lattice(scene.target().size(), 16, 16)), GateSchedule());
+        gateMatches(matches, gated.mesh, rough, MeshGrid(Lattice(scene.target().size(), 16, 16)), Point2d(),
+                    GateSchedule());
     gated.after = matches;
     return gated;
 }

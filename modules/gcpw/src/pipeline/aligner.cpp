@@ -103,7 +103,7 @@ Problem roughProblem(const CanvasImages& canvas, const std::vector<Point>& corne
     return problem;
 }
 
-std::vector<Overlap> overlapsOf(const CanvasImages& canvas, const Problem& problem)
+std::vector<Overlap> overlapsOf(const CanvasImages& canvas, const Problem& problem, double period)
 {
     std::vector<Point> corners;
     std::vector<Mat> masks;
@@ -114,7 +114,7 @@ std::vector<Overlap> overlapsOf(const CanvasImages& canvas, const Problem& probl
         const Photograph& photograph = canvas.work[i];
         masks.push_back(photograph.mask.empty() ? Mat(photograph.image.size(), CV_8U, Scalar(255)) : photograph.mask);
     }
-    return findOverlaps(corners, masks);
+    return findOverlaps(corners, masks, cvRound(period));
 }
 
 class AlignerImpl : public Aligner
@@ -132,7 +132,7 @@ public:
         CV_CheckLT(params_.referenceImage, canvas.count(), "gcpw: Params::referenceImage is not one of the images");
         const auto go_on = [&](const char* stage, double share) { return !progress || progress(stage, share); };
         Problem problem = roughProblem(canvas, corners, params_);
-        const std::vector<Overlap> overlaps = overlapsOf(canvas, problem);
+        const std::vector<Overlap> overlaps = overlapsOf(canvas, problem, params_.canvasPeriod * canvas.scale);
         if (params_.referenceImage != NO_REFERENCE)
             problem.images[params_.referenceImage >= 0 ? params_.referenceImage : mostCentral(canvas.count(), overlaps)].held = true;
         Report report;
@@ -189,11 +189,15 @@ private:
             ProblemPair pair;
             pair.a = overlaps[k].a;
             pair.b = overlaps[k].b;
+            pair.shift_b = Point2d(overlaps[k].turns_b * params_.canvasPeriod * canvas.scale, 0);
             if (problem.images[pair.a].held)
+            {
                 std::swap(pair.a, pair.b); // samples lie in an image that moves
+                pair.shift_b = -pair.shift_b;
+            }
             const MeshGrid& a = problem.images[pair.a].rough;
             const MeshGrid& b = problem.images[pair.b].rough;
-            pair.matches = correspondences.empty() ? matchPair(features[pair.a], features[pair.b], a, b, params_, recipe)
+            pair.matches = correspondences.empty() ? matchPair(features[pair.a], features[pair.b], a, b, pair.shift_b, params_, recipe)
                                                    : given(correspondences, pair, canvas.scale, a, b);
             problem.pairs.push_back(pair);
         }
@@ -224,7 +228,7 @@ private:
         GateSchedule schedule;
         schedule.similarity_weight = params_.similarityWeight;
         MeshGrid fitted = a;
-        gateMatches(matches.points, fitted, a, b, schedule);
+        gateMatches(matches.points, fitted, a, b, pair.shift_b, schedule);
         return matches;
     }
 

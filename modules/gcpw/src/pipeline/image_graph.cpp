@@ -14,23 +14,30 @@ namespace
 const int MIN_AREA = 400;      ///< px: a smaller overlap holds no quad and says nothing
 const double MIN_SHARE = 0.01; ///< of the smaller image
 
+int sharedArea(Point corner_a, const Mat& a, Point corner_b, const Mat& b)
+{
+    const Rect shared = Rect(corner_a, a.size()) & Rect(corner_b, b.size());
+    return shared.area() < MIN_AREA ? 0 : countNonZero(a(shared - corner_a) & b(shared - corner_b));
+}
+
 } // namespace
 
-std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks)
+std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks, int period)
 {
     CV_Assert(corners.size() == masks.size());
     std::vector<Overlap> overlaps;
     for (size_t i = 0; i < masks.size(); ++i)
         for (size_t j = i + 1; j < masks.size(); ++j)
         {
-            const Rect shared = Rect(corners[i], masks[i].size()) & Rect(corners[j], masks[j].size());
-            if (shared.area() < MIN_AREA)
-                continue;
-            const Mat both = masks[i](shared - corners[i]) & masks[j](shared - corners[j]);
-            const int area = countNonZero(both);
-            const double smaller = static_cast<double>(std::min(masks[i].total(), masks[j].total()));
-            if (area >= MIN_AREA && area >= MIN_SHARE * smaller)
-                overlaps.push_back({static_cast<int>(i), static_cast<int>(j), area});
+            // Corners may lie anywhere: the turns that bring b nearest to a, and one to either side of that.
+            const int nearest = period > 0 ? cvRound(static_cast<double>(corners[i].x - corners[j].x) / period) : 0;
+            for (int turns = nearest - (period > 0 ? 1 : 0); turns <= nearest + (period > 0 ? 1 : 0); ++turns)
+            {
+                const int area = sharedArea(corners[i], masks[i], corners[j] + Point(turns * period, 0), masks[j]);
+                const double smaller = static_cast<double>(std::min(masks[i].total(), masks[j].total()));
+                if (area >= MIN_AREA && area >= MIN_SHARE * smaller)
+                    overlaps.push_back({static_cast<int>(i), static_cast<int>(j), turns, area});
+            }
         }
     return overlaps;
 }

@@ -15,12 +15,14 @@ struct Overlap
 {
     int a = -1; ///< a < b
     int b = -1;
-    int area = 0; ///< px inside both masks
+    int turns_b = 0; ///< times the canvas' period that b is seen to the right of its own place
+    int area = 0;    ///< px inside both masks
 };
 
 /** @brief Every pair of images that overlap enough to be aligned to each other, in ascending order.
-@param corners canvas position of each image  @param masks CV_8UC1, non-zero inside */
-std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks);
+@param corners canvas position of each image  @param masks CV_8UC1, non-zero inside
+@param period px after which the canvas repeats in x; 0 if it does not. Two images may then meet on both sides */
+std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks, int period = 0);
 
 /// The image from which all others are reached over the fewest overlaps in all; of equals the one that overlaps most.
 int mostCentral(int images, const std::vector<Overlap>& overlaps);

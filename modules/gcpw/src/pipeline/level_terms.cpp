@@ -29,9 +29,10 @@ LevelTerms::LevelTerms(const Problem& problem, const Recipe& recipe, const Param
         const Lattice& a = problem.images[pair.a].rough.lattice();
         const Lattice& b = problem.images[pair.b].rough.lattice();
         if (recipe.points)
-            points_.emplace_back(pair.a, pair.b, a, b, pair.matches.points, params.geometricWeight);
+            points_.emplace_back(pair.a, pair.b, a, b, pair.matches.points, params.geometricWeight, pair.shift_b);
         if (recipe.lines)
-            lines_.emplace_back(pair.a, pair.b, a, b, pair.matches.lines, params.lineStep, params.geometricWeight);
+            lines_.emplace_back(pair.a, pair.b, a, b, pair.matches.lines, params.lineStep, params.geometricWeight,
+                                pair.shift_b);
     }
     setMatchScale(params.matchScale);
 }
@@ -50,7 +51,7 @@ void LevelTerms::enterLevel(int level)
         const PyramidLevel& a = problem_.images[pair.a].pyramid[level];
         scale_ = a.scale;
         pixels_.emplace_back(pair.a, pair.b, a, problem_.images[pair.b].pyramid[level],
-                             problem_.images[pair.a].rough.lattice(), options);
+                             problem_.images[pair.a].rough.lattice(), options, pair.shift_b);
     }
     // Misaligned regions look like outliers: coarse levels, which are to move them, judge more mildly.
     pixel_loss_ = lossOf(DEVIATION * params_.robustScale * scale_);

@@ -12,9 +12,9 @@ namespace gcpw
 {
 
 bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
-                 const GateSchedule& schedule)
+                 Point2d shift_fixed, const GateSchedule& schedule)
 {
-    const PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1);
+    const PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1, shift_fixed);
     const SimilarityTerm similarity(0, rough, schedule.similarity_weight);
     MeshSystem system({moving.lattice(), fixed.lattice()}, {false, true});
     MeshGrid mesh = moving;

@@ -16,7 +16,7 @@ A mesh is fitted to all matches with a Geman-McClure loss whose scale falls from
 first to follow parallax, strict at the end. Matches farther than `keep_px` from the final mesh are dropped.
 @param matches a: rest px of the moving image, b: rest px of the fixed one; filtered in place
 @param moving the mesh to start from; receives the fitted mesh
-@param fixed mesh of the fixed image
+@param fixed mesh of the fixed image  @param shift_fixed canvas px by which it is seen beside its own place
 @return false if the fit is singular; nothing is changed then */
 struct GateSchedule
 {
@@ -27,7 +27,7 @@ struct GateSchedule
     double similarity_weight = 0.2;
 };
 bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
-                 const GateSchedule& schedule);
+                 Point2d shift_fixed, const GateSchedule& schedule);
 
 } // namespace gcpw
 } // namespace cv

@@ -95,7 +95,8 @@ Alignment alignPair(InputArray source_input, InputArray target_input, const Para
     ProblemPair pair;
     pair.a = 0;
     pair.b = 1;
-    pair.matches = matchPair(source.features, target.features, problem.images[0].rough, problem.images[1].rough, params, recipe);
+    pair.matches = matchPair(source.features, target.features, problem.images[0].rough, problem.images[1].rough, Point2d(), params,
+                             recipe);
     problem.pairs.push_back(pair);
     report.timings_ms.homography = millisecondsSince(tick);
 

@@ -17,13 +17,13 @@ const double SEARCH_SHARE = 0.07;   ///< of the image diagonal: how far parallax
 const double REFINED_RADIUS = 10;   ///< px: how far from a fitted mesh a keypoint is looked for
 const double MIN_SEGMENT_LENGTH = 20; ///< px
 
-std::function<Point2d(Point2d)> expectation(const MeshGrid& moving, const MeshGrid& fixed)
+std::function<Point2d(Point2d)> expectation(const MeshGrid& moving, const MeshGrid& fixed, Point2d shift)
 {
-    return [&moving, &fixed](Point2d p)
+    return [&moving, &fixed, shift](Point2d p)
     {
         int hint = -1;
         CellPoint point;
-        if (!fixed.invert(moving.warp(p), hint, point))
+        if (!fixed.invert(moving.warp(p) - shift, hint, point))
             return Point2d(-1e6, -1e6); // outside the fixed image: near no keypoint
         return fixed.lattice().restPoint(point);
     };
@@ -43,7 +43,7 @@ Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const
     return features;
 }
 
-MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed,
+MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed, Point2d shift_b,
                    const Params& params, const Recipe& recipe)
 {
     MatchSet matches;
@@ -57,15 +57,15 @@ MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, 
     const auto matchAround = [&](double search_radius)
     {
         matches.points = toPointMatches(a.keypoints, b.keypoints,
-                                        matchNearby(a.keypoints, b.keypoints, expectation(fitted, fixed), search_radius,
+                                        matchNearby(a.keypoints, b.keypoints, expectation(fitted, fixed, shift_b), search_radius,
                                                     params.matchRatio));
-        gateMatches(matches.points, fitted, rough, fixed, schedule);
+        gateMatches(matches.points, fitted, rough, fixed, shift_b, schedule);
     };
     matchAround(radius);
     schedule.start_px = REFINED_RADIUS;
     matchAround(REFINED_RADIUS);
     if (recipe.lines)
-        matches.lines = matchSegments(a.segments, b.segments, expectation(fitted, fixed), SegmentTolerance());
+        matches.lines = matchSegments(a.segments, b.segments, expectation(fitted, fixed, shift_b), SegmentTolerance());
     return matches;
 }
 

@@ -29,8 +29,8 @@ Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const
 
 Keypoints are matched near where the rough mesh expects them and gated by a robust mesh fit, then matched once more near
 where that mesh expects them. Line segments are paired and verified by the points' mesh.
-@param rough rough mesh of a  @param fixed rough mesh of b */
-MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed,
+@param rough rough mesh of a  @param fixed rough mesh of b  @param shift_b see ProblemPair */
+MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed, Point2d shift_b,
                    const Params& params, const Recipe& recipe);
 
 } // namespace gcpw

@@ -31,6 +31,7 @@ const Field FIELDS[] = {
     {"meshRows", &Params::meshRows, nullptr, 2, 256, true},
     {"workMegapix", nullptr, &Params::workMegapix, 0, 1000, false},
     {"referenceImage", &Params::referenceImage, nullptr, -2, 100000, true},
+    {"canvasPeriod", nullptr, &Params::canvasPeriod, 0, INF, true},
     {"photometricWeight", nullptr, &Params::photometricWeight, 0, INF, true},
     {"geometricWeight", nullptr, &Params::geometricWeight, 0, INF, true},
     {"similarityWeight", nullptr, &Params::similarityWeight, 0, INF, false},

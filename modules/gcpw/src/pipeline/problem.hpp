@@ -25,6 +25,7 @@ struct ProblemPair
 {
     int a = -1; ///< its pixels are the samples
     int b = -1;
+    Point2d shift_b; ///< canvas px by which b is seen beside its own place: a multiple of a wrapping canvas' width
     MatchSet matches;
 };
 

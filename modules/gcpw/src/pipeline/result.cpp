@@ -50,7 +50,7 @@ double missOf(const Problem& problem, const ProblemPair& pair, const Params& par
         return std::numeric_limits<double>::quiet_NaN();
     PhotometricTerm::Options options;
     options.step = params.sampleStep;
-    return 100 * overallMiss({PhotometricTerm(pair.a, pair.b, a.pyramid[0], b.pyramid[0], a.rough.lattice(), options)}, states);
+    return 100 * overallMiss({PhotometricTerm(pair.a, pair.b, a.pyramid[0], b.pyramid[0], a.rough.lattice(), options, pair.shift_b)}, states);
 }
 
 } // namespace

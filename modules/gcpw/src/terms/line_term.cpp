@@ -10,8 +10,8 @@ namespace gcpw
 {
 
 LineTerm::LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
-                   const std::vector<LineMatch>& matches, double step_px, double weight)
-    : image_a_(image_a), image_b_(image_b)
+                   const std::vector<LineMatch>& matches, double step_px, double weight, Point2d shift_b)
+    : image_a_(image_a), image_b_(image_b), shift_b_(shift_b)
 {
     CV_CheckGT(step_px, 0.0, "Line samples need a positive step");
     for (const LineMatch& match : matches)
@@ -28,12 +28,17 @@ LineTerm::LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lat
     }
 }
 
+Segment LineTerm::partnerNow(const Partner& partner, const MeshGrid& b) const
+{
+    return {b.warp(partner.start_b) + shift_b_, b.warp(partner.end_b) + shift_b_};
+}
+
 double LineTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const
 {
     double energy = 0;
     for (const Partner& partner : partners_)
     {
-        const Segment now{b.warp(partner.start_b), b.warp(partner.end_b)};
+        const Segment now = partnerNow(partner, b);
         const Line line = now.line();
         const double squared_length = now.direction().dot(now.direction());
         for (const CellPoint& sample : partner.samples)
@@ -65,7 +70,7 @@ std::vector<double> LineTerm::distances(const MeshGrid& a, const MeshGrid& b) co
     std::vector<double> result;
     for (const Partner& partner : partners_)
     {
-        const Line line = Segment{b.warp(partner.start_b), b.warp(partner.end_b)}.line();
+        const Line line = partnerNow(partner, b).line();
         double sum = 0;
         for (const CellPoint& sample : partner.samples)
             sum += line.distance(a.warp(sample)) * line.distance(a.warp(sample));

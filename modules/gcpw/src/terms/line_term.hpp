@@ -23,8 +23,9 @@ moves with the point of b next to the sample. Residuals: 1 per sample, canvas px
 class LineTerm
 {
 public:
+    /// @param shift_b canvas px by which b is seen beside its own place (a canvas that wraps around)
     LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
-             const std::vector<LineMatch>& matches, double step_px, double weight);
+             const std::vector<LineMatch>& matches, double step_px, double weight, Point2d shift_b = Point2d());
 
     /// Returns the robust energy.
     double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const;
@@ -41,8 +42,11 @@ private:
         CellPoint end_b;
         double weight;
     };
+    Segment partnerNow(const Partner& partner, const MeshGrid& b) const;
+
     int image_a_;
     int image_b_;
+    Point2d shift_b_;
     std::vector<Partner> partners_;
 };
 

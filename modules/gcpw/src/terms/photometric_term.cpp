@@ -53,9 +53,10 @@ struct Moments
 } // namespace
 
 PhotometricTerm::PhotometricTerm(int source_image, int target_image, const PyramidLevel& source,
-                                 const PyramidLevel& target, const Lattice& lattice, const Options& options)
+                                 const PyramidLevel& target, const Lattice& lattice, const Options& options,
+                                 Point2d target_shift)
     : source_image_(source_image), target_image_(target_image), target_(target), lattice_(lattice), options_(options),
-      first_(lattice.cellCount() + 1, 0), frozen_(lattice.cellCount(), false)
+      target_shift_(target_shift), first_(lattice.cellCount() + 1, 0), frozen_(lattice.cellCount(), false)
 {
     CV_CheckGT(options.step, 0, "Photometric samples need a positive step");
     CV_Assert(source.scale == target.scale);
@@ -96,8 +97,8 @@ class PhotometricTerm::Target
 {
 public:
     /// @param want_cell whether point() and the colour of its quad are needed
-    Target(const ImageState& state, bool want_cell)
-        : state_(state), at_rest_(state.mesh.isTranslation(origin_)), want_cell_(want_cell || !state.color.isIdentity())
+    Target(const ImageState& state, Point2d shift, bool want_cell)
+        : state_(state), shift_(shift), at_rest_(state.mesh.isTranslation(origin_)), want_cell_(want_cell || !state.color.isIdentity())
     {
         point_.cell = 0;
     }
@@ -106,14 +107,14 @@ public:
     {
         if (at_rest_)
         {
-            rest_ = canvas - origin_;
+            rest_ = canvas - shift_ - origin_;
             if (!state_.mesh.lattice().contains(rest_))
                 return false;
             if (want_cell_)
                 point_ = state_.mesh.lattice().locate(rest_);
             return true;
         }
-        if (!state_.mesh.invert(canvas, hint_, point_))
+        if (!state_.mesh.invert(canvas - shift_, hint_, point_))
             return false;
         rest_ = state_.mesh.lattice().restPoint(point_);
         inverse_ = state_.mesh.jacobian(point_).inv();
@@ -137,6 +138,7 @@ public:
 
 private:
     const ImageState& state_;
+    Point2d shift_;
     Point2d origin_;
     bool at_rest_;
     bool want_cell_;
@@ -180,7 +182,7 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
                                   ResidualSink& sink) const
 {
     double total = 0;
-    Target target(images[target_image_], target_moves);
+    Target target(images[target_image_], target_shift_, target_moves);
     std::vector<std::pair<int, PartnerSums>> partners; // target cell, sums; a handful at most
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
@@ -245,7 +247,7 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
 std::vector<PhotometricTerm::QuadMiss> PhotometricTerm::correlate(const std::vector<ImageState>& images) const
 {
     std::vector<QuadMiss> misses(lattice_.cellCount());
-    Target target(images[target_image_], false);
+    Target target(images[target_image_], target_shift_, false);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
         Moments quarters[4];
@@ -280,7 +282,7 @@ void PhotometricTerm::freeze(const std::vector<int>& cells)
 void PhotometricTerm::countInside(const std::vector<ImageState>& images, std::vector<int>& source,
                                   std::vector<int>& target_count) const
 {
-    Target target(images[target_image_], true);
+    Target target(images[target_image_], target_shift_, true);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
         forEachInside(images, cell, target, [&](const Sample&, const PixelSample&, const double*, double)
         {

@@ -40,9 +40,10 @@ public:
     };
 
     /** @param source_image, target_image indices for the sink
-    @param source, target levels of equal scale  @param lattice of the source */
+    @param source, target levels of equal scale  @param lattice of the source
+    @param target_shift canvas px by which the target is seen beside its own place (a canvas that wraps around) */
     PhotometricTerm(int source_image, int target_image, const PyramidLevel& source, const PyramidLevel& target,
-                    const Lattice& lattice, const Options& options);
+                    const Lattice& lattice, const Options& options, Point2d target_shift = Point2d());
 
     int sourceImage() const { return source_image_; }
     int targetImage() const { return target_image_; }
@@ -84,6 +85,7 @@ private:
     PyramidLevel target_;
     Lattice lattice_;
     Options options_;
+    Point2d target_shift_;
     std::vector<Sample> samples_; ///< sorted by cell
     std::vector<int> first_;      ///< first sample of every cell, and one past the last
     std::vector<bool> frozen_;    ///< by cell

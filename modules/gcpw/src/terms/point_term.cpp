@@ -7,8 +7,8 @@ namespace gcpw
 {
 
 PointTerm::PointTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
-                     const std::vector<PointMatch>& matches, double weight)
-    : image_a_(image_a), image_b_(image_b)
+                     const std::vector<PointMatch>& matches, double weight, Point2d shift_b)
+    : image_a_(image_a), image_b_(image_b), shift_b_(shift_b)
 {
     pairs_.reserve(matches.size());
     for (const PointMatch& match : matches)
@@ -20,7 +20,7 @@ double PointTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLo
     double energy = 0;
     for (const Pair& pair : pairs_)
     {
-        const Point2d r = a.warp(pair.a) - b.warp(pair.b);
+        const Point2d r = a.warp(pair.a) - b.warp(pair.b) - shift_b_;
         const double squared = r.dot(r);
         energy += pair.weight * loss.value(squared);
         const double weight = pair.weight * loss.weight(squared);
@@ -44,7 +44,7 @@ std::vector<double> PointTerm::distances(const MeshGrid& a, const MeshGrid& b) c
     std::vector<double> result;
     result.reserve(pairs_.size());
     for (const Pair& pair : pairs_)
-        result.push_back(norm(a.warp(pair.a) - b.warp(pair.b)));
+        result.push_back(norm(a.warp(pair.a) - b.warp(pair.b) - shift_b_));
     return result;
 }
 

@@ -22,8 +22,9 @@ meshes: but for the loss one linearisation is exact. Residuals: 2 per match, can
 class PointTerm
 {
 public:
+    /// @param shift_b canvas px by which b is seen beside its own place (a canvas that wraps around)
     PointTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
-              const std::vector<PointMatch>& matches, double weight);
+              const std::vector<PointMatch>& matches, double weight, Point2d shift_b = Point2d());
 
     /// Returns the robust energy.
     double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const;
@@ -40,6 +41,7 @@ private:
     };
     int image_a_;
     int image_b_;
+    Point2d shift_b_;
     std::vector<Pair> pairs_;
 };
 

@@ -56,6 +56,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int referenceImage = -1;   ///< several images: the one that stays unwarped; -1 chooses the most central one, -2 lets all move
     //! @}
 
+    //! @name Canvas
+    //! @{
+    CV_PROP_RW double canvasPeriod = 0; ///< px of the canvas as given after which x repeats (360-degree panoramas); 0: it does not
+    //! @}
+
     //! @name Weights of the terms (eq. totalfunction)
     //! @{
     CV_PROP_RW double photometricWeight = 100;     ///< lambda_1, >= 0
