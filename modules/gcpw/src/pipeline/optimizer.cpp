@@ -21,6 +21,7 @@ const int MAX_HALVINGS = 4;          ///< of a step that raises the energy; then
 const double FIRST_MATCH_SCALE = 32; ///< px: wide enough to follow strong parallax
 const double MATCH_NARROWING = 0.5;  ///< of the matches' scale from step to step
 const int MATCH_ITERATIONS = 3;      ///< at the final scale, where pixels are to follow
+const int ANCHORED_ITERATIONS = 5;   ///< the anchors lead, the rest is in place already
 const double STRICTLY_BETTER = 1.02; ///< the start is kept only if the result correlates this much worse
 
 std::vector<Lattice> latticesOf(const Problem& problem)
@@ -222,10 +223,10 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
         levels = std::min(levels, image.pyramid.size());
     expected_ticks_ += static_cast<int>(levels + 1) * params_.maxIterations;
     const std::vector<ImageState> start = states;
-    const auto run_one = [&]
+    const auto run_one = [&](int max_iterations)
     {
         LevelReport level_report;
-        const LevelEnd end = runLevel(terms, states, params_.maxIterations, level_report);
+        const LevelEnd end = runLevel(terms, states, max_iterations, level_report);
         report.push_back(level_report);
         return end;
     };
@@ -241,13 +242,13 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
             for (size_t i = 0; i < states.size(); ++i)
                 states[i].color = colors[i];
         }
-        const LevelEnd end = run_one();
+        const LevelEnd end = run_one(params_.maxIterations);
         if (end != LevelEnd::Done)
             return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::PixelsSingular;
     }
     if (params_.anchorWeight > 0 && anchorWorse(terms, states, start))
     {
-        const LevelEnd end = run_one();
+        const LevelEnd end = run_one(std::min(ANCHORED_ITERATIONS, params_.maxIterations));
         if (end != LevelEnd::Done)
             return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::PixelsSingular;
     }

@@ -42,15 +42,17 @@ void measure(const Problem& problem, const std::vector<ImageState>& states, Repo
     }
 }
 
-double missOf(const Problem& problem, const ProblemPair& pair, const Params& params, const std::vector<ImageState>& states)
+void correlate(const Problem& problem, const ProblemPair& pair, const Params& params, const std::vector<ImageState>& rough,
+               const std::vector<ImageState>& states, PairReport& report)
 {
     const ProblemImage& a = problem.images[pair.a];
     const ProblemImage& b = problem.images[pair.b];
-    if (a.pyramid.empty() || b.pyramid.empty())
-        return std::numeric_limits<double>::quiet_NaN();
     PhotometricTerm::Options options;
     options.step = params.sampleStep;
-    return 100 * overallMiss({PhotometricTerm(pair.a, pair.b, a.pyramid[0], b.pyramid[0], a.rough.lattice(), options, pair.shift_b)}, states);
+    const std::vector<PhotometricTerm> term(
+        1, PhotometricTerm(pair.a, pair.b, a.pyramid[0], b.pyramid[0], a.rough.lattice(), options, pair.shift_b));
+    report.miss_before = 100 * overallMiss(term, rough);
+    report.miss_after = 100 * overallMiss(term, states);
 }
 
 } // namespace
@@ -99,8 +101,7 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
         item.b = pair.b;
         item.points = static_cast<int>(pair.matches.points.size());
         item.lines = static_cast<int>(pair.matches.lines.size());
-        item.miss_before = missOf(problem, pair, params, rough);
-        item.miss_after = missOf(problem, pair, params, states);
+        correlate(problem, pair, params, rough, states, item);
         report.pairs.push_back(item);
     }
 }

@@ -66,7 +66,7 @@ struct CV_EXPORTS PairReport
     int points = 0; //!< point matches used
     int lines = 0;  //!< line matches used
     /// 100 * RMS of 1 - correlation over quarters of quads with texture, at the working resolution: a quick relative of
-    /// Score::zncc that needs no rendering. Of the rough alignment; NaN where the overlap has no texture.
+    /// Score::zncc that needs no rendering. Of the rough alignment; 0 where the overlap has no texture.
     double miss_before = 0;
     double miss_after = 0; //!< the same of the result
 };

@@ -81,7 +81,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @{
     CV_PROP_RW int maxIterations = 10;   ///< per pyramid level, 1..1000
     CV_PROP_RW double stopMotion = 0.05; ///< a level ends when no vertex moves farther: px of the level, > 0
-    CV_PROP_RW double stopGain = 0.001;  ///< a level ends when a step lowers the energy by less than this share, >= 0
+    CV_PROP_RW double stopGain = 0.002;  ///< a level ends when a step lowers the energy by less than this share, >= 0
     //! @}
 
     //! @name Additions to the paper
