@@ -48,7 +48,8 @@ SolveStatus conjugateGradient(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, Mu
         p = z + (next / rz) * p;
         rz = next;
     }
-    if (!std::isfinite(rz) || !std::isfinite(stop))
+    // Negative: the preconditioner is not positive definite, so neither is the matrix.
+    if (!std::isfinite(rz) || !std::isfinite(stop) || rz < 0 || stop < 0)
         return SolveStatus::NotPositiveDefinite;
     return rz <= stop ? SolveStatus::Solved : SolveStatus::NotConverged;
 }
