@@ -110,7 +110,7 @@ SceneOptions smallScene()
 
 Scene::Scene(const SceneOptions& options) : options_(options), texture_(options.seed)
 {
-    RNG rng = seeded(options.seed);
+    RNG rng = seeded(options.warp_seed);
     for (double& phase : phases_)
         phase = rng.uniform(0.0, TWO_PI);
     if (options.mesh_cells > 0)

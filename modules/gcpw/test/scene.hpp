@@ -38,7 +38,8 @@ struct SceneOptions
 {
     Size source_size{480, 360};
     Size target_size{480, 360};
-    uint64_t seed = 1;
+    uint64_t seed = 1;                    ///< of the texture
+    uint64_t warp_seed = 1;               ///< of displacement and colours
     Matx33d rough = slightHomography(96); ///< the global part of the warp
     double displacement_px = 8;           ///< largest length of the smooth displacement added to it
     int mesh_cells = 0;     ///< if > 0, the displacement is that of a bilinear mesh of this many quads a side
