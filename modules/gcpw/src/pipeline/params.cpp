@@ -86,6 +86,10 @@ Params Params::paper()
 
 void Params::check() const
 {
+    const int number = static_cast<int>(method);
+    if (number < static_cast<int>(Method::GLOBAL) || number > static_cast<int>(Method::GCPW))
+        CV_Error(Error::StsOutOfRange, format("gcpw::Params::method is %d; it must be one of gcpw::Method, 0 to %d", number,
+                                              static_cast<int>(Method::GCPW)));
     for (const Field& field : FIELDS)
     {
         const double value = get(field.name);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cv
 {
@@ -18,8 +19,13 @@ LineTerm::LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lat
     {
         Partner partner;
         const int count = std::max(static_cast<int>(match.a.length() / step_px), 1);
-        for (int k = 0; k <= count; ++k)
-            partner.samples.push_back(lattice_a.locate(match.a.at(static_cast<double>(k) / count)));
+        // Without a direction there is no line, and beyond its image a mesh knows nothing.
+        for (int k = 0; match.b.length() > 0 && k <= count; ++k)
+        {
+            const Point2d sample = match.a.at(static_cast<double>(k) / count);
+            if (lattice_a.contains(sample))
+                partner.samples.push_back(lattice_a.locate(sample));
+        }
         partner.rest_b = match.b;
         partner.start_b = lattice_b.locate(match.b.start);
         partner.end_b = lattice_b.locate(match.b.end);
@@ -38,6 +44,8 @@ double LineTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLos
     double energy = 0;
     for (const Partner& partner : partners_)
     {
+        if (partner.samples.empty())
+            continue;
         const Segment now = partnerNow(partner, b);
         const Line line = now.line();
         const double squared_length = now.direction().dot(now.direction());
@@ -70,6 +78,11 @@ std::vector<double> LineTerm::distances(const MeshGrid& a, const MeshGrid& b) co
     std::vector<double> result;
     for (const Partner& partner : partners_)
     {
+        if (partner.samples.empty())
+        {
+            result.push_back(std::numeric_limits<double>::infinity());
+            continue;
+        }
         const Line line = partnerNow(partner, b).line();
         double sum = 0;
         for (const CellPoint& sample : partner.samples)

@@ -30,7 +30,7 @@ public:
     /// Returns the robust energy.
     double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const;
 
-    /// Root mean square distance of every match at present, canvas px, in the order given.
+    /// Root mean square distance of every match at present, canvas px, in the order given; infinite without samples.
     std::vector<double> distances(const MeshGrid& a, const MeshGrid& b) const;
 
 private:

@@ -1,6 +1,8 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "terms/point_term.hpp"
 
+#include <limits>
+
 namespace cv
 {
 namespace gcpw
@@ -12,7 +14,12 @@ PointTerm::PointTerm(int image_a, int image_b, const Lattice& lattice_a, const L
 {
     pairs_.reserve(matches.size());
     for (const PointMatch& match : matches)
-        pairs_.push_back({lattice_a.locate(match.a), lattice_b.locate(match.b), weight * match.weight});
+    {
+        // A mesh knows nothing beyond its image: such a match keeps its place in the order, with no cell.
+        const bool inside = lattice_a.contains(match.a) && lattice_b.contains(match.b);
+        pairs_.push_back({inside ? lattice_a.locate(match.a) : CellPoint(), inside ? lattice_b.locate(match.b) : CellPoint(),
+                          weight * match.weight});
+    }
 }
 
 double PointTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const
@@ -20,6 +27,8 @@ double PointTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLo
     double energy = 0;
     for (const Pair& pair : pairs_)
     {
+        if (pair.a.cell < 0)
+            continue;
         const Point2d r = a.warp(pair.a) - b.warp(pair.b) - shift_b_;
         const double squared = r.dot(r);
         energy += pair.weight * loss.value(squared);
@@ -44,7 +53,8 @@ std::vector<double> PointTerm::distances(const MeshGrid& a, const MeshGrid& b) c
     std::vector<double> result;
     result.reserve(pairs_.size());
     for (const Pair& pair : pairs_)
-        result.push_back(norm(a.warp(pair.a) - b.warp(pair.b) - shift_b_));
+        result.push_back(pair.a.cell < 0 ? std::numeric_limits<double>::infinity()
+                                         : norm(a.warp(pair.a) - b.warp(pair.b) - shift_b_));
     return result;
 }
 

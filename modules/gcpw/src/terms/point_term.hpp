@@ -29,7 +29,7 @@ public:
     /// Returns the robust energy.
     double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const;
 
-    /// Distance of every match at present, canvas px, in the order given.
+    /// Distance of every match at present, canvas px, in the order given; infinite for one outside its image.
     std::vector<double> distances(const MeshGrid& a, const MeshGrid& b) const;
 
 private:
