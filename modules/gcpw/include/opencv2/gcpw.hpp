@@ -17,11 +17,19 @@ panorama. Estimation happens at the working resolution (Params::workMegapix), re
 | alignment.hpp | Alignment: meshes, colours, report |
 | aligner.hpp | Aligner: any number of roughly aligned images |
 | pair.hpp | alignPair, stitchPair: two photographs |
+| stitcher.hpp | attach: GCPW inside cv::Stitcher |
+| rig.hpp | Rig: an alignment with its cameras, for many frames |
+| warper.hpp | GcpwWarper: the mesh behind any base warper |
+| compensator.hpp | GcpwCompensator: local colours |
 */
 
 #include "opencv2/gcpw/aligner.hpp"
 #include "opencv2/gcpw/alignment.hpp"
+#include "opencv2/gcpw/compensator.hpp"
 #include "opencv2/gcpw/pair.hpp"
 #include "opencv2/gcpw/params.hpp"
+#include "opencv2/gcpw/rig.hpp"
+#include "opencv2/gcpw/stitcher.hpp"
+#include "opencv2/gcpw/warper.hpp"
 
 #endif

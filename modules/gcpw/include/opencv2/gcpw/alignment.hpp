@@ -128,6 +128,13 @@ public:
     /// The same images where the rough alignment has them, colours untouched.
     Alignment rough() const;
 
+    /** @brief Writes everything that rendering needs: .yml, .xml or .json, with .gz compressed. Numbers are kept exactly.
+    @throws cv::Exception StsError if the file cannot be written */
+    void save(const std::string& path) const;
+
+    /// @throws cv::Exception StsError if there is no such file, StsParseError if it is not an alignment; both name the file
+    static Alignment load(const std::string& path);
+
 private:
     std::vector<Image> images_;
     Size2d canvas_scale_ = Size2d(1, 1);

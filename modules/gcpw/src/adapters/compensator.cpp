@@ -1,0 +1,118 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "opencv2/gcpw/compensator.hpp"
+
+#include <cmath>
+#include "adapters/color_field.hpp"
+#include "adapters/session.hpp"
+#include "pipeline/color_only.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+GcpwCompensator::GcpwCompensator(const Params& params) : params_(params)
+{
+    params_.check();
+}
+
+GcpwCompensator::GcpwCompensator(const Params& params, const std::shared_ptr<Session>& session)
+    : params_(params), session_(session)
+{
+    params_.check();
+}
+
+bool GcpwCompensator::hasRig() const
+{
+    return session_ && session_->model && session_->scale > 0;
+}
+
+void GcpwCompensator::feed(const std::vector<Point>& corners, const std::vector<UMat>& images,
+                           const std::vector<std::pair<UMat, uchar> >& masks)
+{
+    if (hasRig())
+        return;
+    if (fallback_)
+    {
+        fallback_->setUpdateGain(getUpdateGain());
+        fallback_->feed(corners, images, masks);
+        return;
+    }
+    if (!getUpdateGain() && colors_.size() == images.size())
+        return;
+    CV_CheckEQ(corners.size(), images.size(), "gcpw: feed() takes one corner for each image");
+    CV_CheckEQ(masks.size(), images.size(), "gcpw: feed() takes one mask for each image");
+    std::vector<Mat> pictures;
+    std::vector<Mat> inside;
+    for (size_t i = 0; i < images.size(); ++i)
+    {
+        pictures.push_back(images[i].getMat(ACCESS_READ));
+        inside.push_back(masks[i].first.getMat(ACCESS_READ) == masks[i].second);
+    }
+    colors_ = estimateColors(corners, pictures, inside, params_);
+}
+
+void GcpwCompensator::apply(int index, Point corner, InputOutputArray image, InputArray mask)
+{
+    const bool joint = hasRig() && colors_.empty();
+    if (!joint && fallback_ && colors_.empty())
+    {
+        fallback_->apply(index, corner, image, mask);
+        return;
+    }
+    const size_t count = joint ? session_->model->items().size() : colors_.size();
+    if (index < 0 || static_cast<size_t>(index) >= count)
+        return;
+    Mat picture = image.getMat();
+    if (!hasRig())
+    {
+        const Mat& color = colors_[index];
+        const double x_scale = static_cast<double>(color.cols) / picture.cols;
+        const double y_scale = static_cast<double>(color.rows) / picture.rows;
+        correctPicture(picture, color, [&](Point2d p) { return Point2d((p.x + 0.5) * x_scale, (p.y + 0.5) * y_scale); });
+        return;
+    }
+    const RigModel::Item& item = session_->model->items()[index];
+    const Mat& color = joint ? item.image.color : colors_[index];
+    const PlacedMesh placed = session_->model->place(index, session_->scale);
+    const double x_scale = static_cast<double>(color.cols) / item.image.work_size.width;
+    const double y_scale = static_cast<double>(color.rows) / item.image.work_size.height;
+    // Turned off the seam, the mesh lies on one side of it only.
+    const double period = item.turn == 0 ? 0 : 2 * CV_PI * session_->scale;
+    const Rect2d bounds = placed.mesh().bounds();
+    const double middle = bounds.x + 0.5 * bounds.width;
+    int hint = -1;
+    correctPicture(picture, color, [&](Point2d p)
+    {
+        Point2d canvas = p + Point2d(corner);
+        if (period > 0)
+            canvas.x -= period * std::round((canvas.x - middle) / period);
+        const Point2d at = placed.latticePoint(placed.restAt(canvas, hint));
+        return Point2d((at.x + 0.5) * x_scale, (at.y + 0.5) * y_scale);
+    });
+}
+
+void GcpwCompensator::getMatGains(std::vector<Mat>& gains)
+{
+    gains.clear();
+    if (hasRig() && colors_.empty())
+    {
+        for (const RigModel::Item& item : session_->model->items())
+            gains.push_back(item.image.color.clone());
+        return;
+    }
+    for (const Mat& color : colors_)
+        gains.push_back(color.clone());
+}
+
+void GcpwCompensator::setMatGains(std::vector<Mat>& gains)
+{
+    for (const Mat& gain : gains)
+        CV_CheckTypeEQ(gain.type(), CV_32FC(6), "gcpw: a colour grid has gain and bias of Y, Cr, Cb");
+    colors_.clear();
+    for (const Mat& gain : gains)
+        colors_.push_back(gain.clone());
+}
+
+} // namespace gcpw
+} // namespace cv

@@ -1,0 +1,118 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "pipeline/color_only.hpp"
+
+#include "energy/joint_system.hpp"
+#include "imaging/photograph.hpp"
+#include "pipeline/image_graph.hpp"
+#include "pipeline/level_terms.hpp"
+#include "pipeline/result.hpp"
+#include "terms/color_smoothness_term.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+const int NO_REFERENCE = -2; ///< Params::referenceImage: no image is asked for; colours need one all the same
+const int PASSES = 3;        ///< a level: robust weights settle in as many
+
+Problem standingProblem(const std::vector<Point>& corners, const std::vector<Mat>& images, const std::vector<Mat>& masks,
+                        const Params& params, const std::vector<Overlap>& overlaps)
+{
+    Problem problem;
+    problem.images.resize(images.size());
+    for (size_t i = 0; i < images.size(); ++i)
+    {
+        const Photograph photograph = toPhotograph(images[i], format("%zu-th", i).c_str());
+        problem.images[i].rough = MeshGrid(Lattice(images[i].size(), params.meshCols, params.meshRows), corners[i]);
+        problem.images[i].pyramid = buildPyramid(photograph.image, masks[i], params.pyramidLevels);
+    }
+    const int count = static_cast<int>(images.size());
+    const int wished = params.referenceImage;
+    problem.images[wished > NO_REFERENCE + 1 && wished < count ? wished : mostCentral(count, overlaps)].held = true;
+    for (const Overlap& overlap : overlaps)
+    {
+        ProblemPair pair;
+        const bool swap = problem.images[overlap.a].held; // samples lie in an image whose colour changes
+        pair.a = swap ? overlap.b : overlap.a;
+        pair.b = swap ? overlap.a : overlap.b;
+        problem.pairs.push_back(pair);
+    }
+    return problem;
+}
+
+/// E_r of eq. initialfunction: quads without samples stay as they are.
+void setRest(const LevelTerms& terms, const std::vector<ImageState>& states, double weight, ColorSystem& colors)
+{
+    std::vector<std::vector<int>> inside;
+    for (const ImageState& state : states)
+        inside.emplace_back(state.mesh.lattice().cellCount(), 0);
+    for (const PhotometricTerm& term : terms.pixels())
+        term.countInside(states, inside[term.sourceImage()], inside[term.targetImage()]);
+    colors.clearPulls();
+    for (size_t i = 0; i < states.size(); ++i)
+        for (size_t cell = 0; cell < inside[i].size(); ++cell)
+            if (inside[i][cell] == 0)
+                colors.addPull({static_cast<int>(i), static_cast<int>(cell)}, weight);
+}
+
+void solveLevel(const LevelTerms& terms, JointSystem& system, std::vector<ImageState>& states)
+{
+    for (int pass = 0; pass < PASSES; ++pass)
+    {
+        TermEnergies energies;
+        system.setZero();
+        terms.pour(states, system, energies);
+        std::vector<ColorGrid> colors;
+        for (const ImageState& state : states)
+            colors.push_back(state.color);
+        if (system.solveColors(colors) == SolveStatus::NotPositiveDefinite)
+            return;
+        for (size_t i = 0; i < states.size(); ++i)
+            states[i].color = colors[i];
+    }
+}
+
+} // namespace
+
+std::vector<Mat> estimateColors(const std::vector<Point>& corners, const std::vector<Mat>& images,
+                                const std::vector<Mat>& masks, const Params& params)
+{
+    const std::vector<Overlap> overlaps = findOverlaps(corners, masks);
+    const Problem problem = standingProblem(corners, images, masks, params, overlaps);
+    std::vector<ImageState> states = roughStates(problem);
+    if (!overlaps.empty())
+    {
+        Recipe recipe;
+        recipe.pixels = recipe.colors = true;
+        std::vector<Lattice> lattices;
+        std::vector<bool> color_held;
+        size_t levels = static_cast<size_t>(params.pyramidLevels);
+        for (const ProblemImage& image : problem.images)
+        {
+            lattices.push_back(image.rough.lattice());
+            color_held.push_back(image.held);
+            levels = std::min(levels, image.pyramid.size());
+        }
+        JointSystem system(lattices, color_held, color_held);
+        for (size_t i = 0; i < lattices.size(); ++i)
+            addColorSmoothness(static_cast<int>(i), lattices[i], params.colorSmoothnessWeight, system.colors());
+        LevelTerms terms(problem, recipe, params);
+        for (size_t level = levels; level-- > 0;)
+        {
+            terms.enterLevel(static_cast<int>(level));
+            setRest(terms, states, params.colorRestWeight, system.colors());
+            solveLevel(terms, system, states);
+        }
+    }
+    std::vector<Mat> colors;
+    for (const ImageState& state : states)
+        colors.push_back(state.color.toMat());
+    return colors;
+}
+
+} // namespace gcpw
+} // namespace cv

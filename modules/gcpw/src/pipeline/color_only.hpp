@@ -1,0 +1,25 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_COLOR_ONLY_HPP
+#define OPENCV_GCPW_COLOR_ONLY_HPP
+
+#include <vector>
+#include "opencv2/gcpw/params.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief The colours that fit best while the images stand still (eq. initialfunction), coarse to fine.
+
+The most central image, or Params::referenceImage, keeps its colours.
+@param corners canvas position of each image  @param images CV_8UC3 or CV_8UC1  @param masks CV_8UC1, non-zero inside
+@return one meshRows x meshCols, CV_32FC(6) per image, as in Alignment::Image; the identity where nothing overlaps or the
+system has no answer */
+std::vector<Mat> estimateColors(const std::vector<Point>& corners, const std::vector<Mat>& images,
+                                const std::vector<Mat>& masks, const Params& params);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
