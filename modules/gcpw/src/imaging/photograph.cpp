@@ -36,15 +36,38 @@ Photograph toPhotograph(InputArray input, const char* name)
         Mat alpha;
         extractChannel(image, alpha, 3);
         cvtColor(image, photograph.image, COLOR_BGRA2BGR);
-        const Mat valid = alpha > 127;
-        if (countNonZero(valid) < static_cast<int>(valid.total()))
-        {
-            photograph.mask = valid;
-            // Filters look over the border of the mask: what is hidden there must not show through.
-            photograph.image.setTo(Scalar::all(128), valid == 0);
-        }
+        hideOutside(photograph, alpha > 127);
     }
     return photograph;
+}
+
+void hideOutside(Photograph& photograph, const Mat& valid)
+{
+    CV_Assert(valid.type() == CV_8UC1 && valid.size() == photograph.image.size());
+    const Mat hidden = photograph.mask.empty() ? Mat(valid == 0) : Mat((valid & photograph.mask) == 0);
+    if (countNonZero(hidden) == 0)
+        return;
+    photograph.mask = hidden == 0;
+    Mat image = photograph.image.clone();
+    photograph.image = image;
+    if (countNonZero(photograph.mask) == 0)
+    {
+        image.setTo(Scalar::all(0));
+        return;
+    }
+    // Every pixel is labelled with its nearest valid one; labels are found again at the valid pixels themselves.
+    Mat distance;
+    Mat labels;
+    distanceTransform(hidden, distance, labels, DIST_L2, 5, DIST_LABEL_PIXEL);
+    std::vector<Point> home(photograph.image.total() + 1);
+    for (int y = 0; y < image.rows; ++y)
+        for (int x = 0; x < image.cols; ++x)
+            if (!hidden.at<uchar>(y, x))
+                home[labels.at<int>(y, x)] = Point(x, y);
+    for (int y = 0; y < image.rows; ++y)
+        for (int x = 0; x < image.cols; ++x)
+            if (hidden.at<uchar>(y, x))
+                image.at<Vec3b>(y, x) = image.at<Vec3b>(home[labels.at<int>(y, x)]);
 }
 
 Size cappedSize(Size full, double megapix)

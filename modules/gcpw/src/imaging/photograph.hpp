@@ -21,6 +21,12 @@ struct Photograph
 @throws cv::Exception if the image is empty or of another type */
 Photograph toPhotograph(InputArray input, const char* name);
 
+/** @brief Narrows a photograph to the pixels where `valid` (CV_8UC1 of its size) is non-zero.
+
+What lies outside is replaced by the nearest valid pixel: filters look over the border of a mask, and there must be
+neither what was hidden nor an edge. The image is copied first if anything is hidden. */
+void hideOutside(Photograph& photograph, const Mat& valid);
+
 /// Size of an image scaled down to at most `megapix` million pixels; never scaled up, at least 1 x 1.
 Size cappedSize(Size full, double megapix);
 

@@ -69,8 +69,7 @@ CanvasImages gather(const std::vector<Point>& corners, InputArrayOfArrays image_
             CV_CheckTypeEQ(masks[i].type(), CV_8UC1, "gcpw: a mask is 8-bit with one channel");
             if (masks[i].size() != photograph.image.size())
                 CV_Error(Error::StsUnmatchedSizes, format("gcpw: mask %zu has not the size of its image", i));
-            const Mat inside = masks[i] != 0;
-            photograph.mask = photograph.mask.empty() ? inside : photograph.mask & inside;
+            hideOutside(photograph, masks[i]);
         }
         canvas.full_sizes.push_back(photograph.image.size());
         if (canvas.scale < 1)
@@ -131,6 +130,11 @@ public:
         const CanvasImages canvas = gather(corners, images, masks, params_.workMegapix);
         CV_CheckLT(params_.referenceImage, canvas.count(), "gcpw: Params::referenceImage is not one of the images");
         const auto go_on = [&](const char* stage, double share) { return !progress || progress(stage, share); };
+        for (const Correspondences& item : correspondences)
+            for (const int image : {item.a, item.b})
+                if (image < 0 || image >= canvas.count())
+                    CV_Error(Error::StsOutOfRange, format("gcpw: correspondences name image %d; there are images 0 to %d", image,
+                                                          canvas.count() - 1));
         Problem problem = roughProblem(canvas, corners, params_);
         const std::vector<Overlap> overlaps = overlapsOf(canvas, problem, params_.canvasPeriod * canvas.scale);
         if (params_.referenceImage != NO_REFERENCE)
