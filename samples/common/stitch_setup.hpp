@@ -1,0 +1,33 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef GCPW_SAMPLES_STITCH_SETUP_HPP
+#define GCPW_SAMPLES_STITCH_SETUP_HPP
+
+#include <opencv2/stitching.hpp>
+#include <string>
+
+/// How a panorama is made, in the words of OpenCV's stitching_detailed.
+struct StitchSetup
+{
+    std::string mode = "panorama";
+    std::string warp;        ///< empty: spherical for panorama, affine for scans
+    std::string features = "sift";
+    std::string seam = "gc_color";
+    std::string blend = "multiband";
+    std::string expos_comp = "gain_blocks";
+    std::string ba = "ray";
+    std::string wave_correct = "horiz";
+    double work_megapix = 0.6;
+    double seam_megapix = 0.1;
+    double compose_megapix = -1;
+    double conf_thresh = 0.5;
+    double match_conf = 0.35;
+    int range_width = -1;
+};
+
+/// A stitcher of OpenCV's own classes. Throws WrongUse that lists the names there are.
+cv::Ptr<cv::Stitcher> makeStitcher(const StitchSetup& setup);
+
+/// What a status of cv::Stitcher means to the user.
+std::string explain(cv::Stitcher::Status status);
+
+#endif

@@ -1,0 +1,291 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+//
+// Stitches any number of photographs with cv::Stitcher, plain or with GCPW inside.
+#include <algorithm>
+#include <iostream>
+#include <opencv2/gcpw/stitcher.hpp>
+#include "common/json.hpp"
+#include "common/program.hpp"
+#include "common/stitch_setup.hpp"
+
+using namespace cv::gcpw;
+
+namespace
+{
+
+const char* const KEYS =
+    "{help h usage ?  |             | this text }"
+    "{output          | result.png  | the panorama }"
+    "{method          | gcpw        | gcpw, or none: OpenCV's own pipeline with the same features and cameras }"
+    "{mode            | panorama    | panorama or scans }"
+    "{warp            |             | spherical, cylindrical, plane, affine, fisheye, stereographic, mercator, .. }"
+    "{features        | sift        | sift, orb or akaze }"
+    "{seam            | gc_color    | no, voronoi, gc_color, gc_colorgrad, dp_color or dp_colorgrad }"
+    "{blend           | multiband   | no, feather or multiband }"
+    "{expos_comp      | gain_blocks | no, gain, gain_blocks, channels or channels_blocks; gcpw falls back on it }"
+    "{ba              | ray         | bundle adjustment: ray, reproj, affine or no }"
+    "{wave_correct    | horiz       | no, horiz or vert }"
+    "{work_megapix    | 0.6         | resolution of features and alignment, million pixels }"
+    "{seam_megapix    | 0.1         | resolution of the seams, million pixels }"
+    "{compose_megapix | -1          | resolution of the panorama; -1 keeps the photographs' own }"
+    "{conf_thresh     | 0.5         | confidence that two images belong together; more drops more images }"
+    "{match_conf      | 0.35        | confidence of a feature match }"
+    "{rangewidth      | -1          | match only images this near to each other in the list; -1 all }"
+    "{reference       | -1          | number of the image that keeps its place, 1-based; -1 chooses }"
+    "{dump            |             | folder for the warped images, colours untouched: 000_image.png, 000_mask.png, corners.csv }"
+    "{report          |             | JSON file with timings and what happened }"
+    "{save_model      |             | file for cameras, meshes and colours: .yml, .json, also with .gz }"
+    "{load_model      |             | use such a file instead of estimating }"
+    "{threads         | -1          | threads to use; -1 leaves it to OpenCV }"
+    "{set             |             | further parameters, name=value,name=value; see gcpw::Params }";
+
+/// Everything one run is asked to do.
+struct Job
+{
+    std::vector<std::string> paths;
+    std::string output;
+    std::string dump;
+    std::string report;
+    std::string save_model;
+    std::string load_model;
+    bool gcpw = true;
+    int reference = -1;
+    StitchSetup setup;
+    Params params;
+};
+
+/// Milliseconds of wall time by stage.
+struct Stages
+{
+    double read = 0;
+    double cameras = 0;
+    double compose = 0;
+};
+
+Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv)
+{
+    Job job;
+    for (int i = 1; i < argc; ++i)
+        if (argv[i][0] != '-')
+            job.paths.emplace_back(argv[i]);
+    job.output = parser.get<std::string>("output");
+    job.dump = parser.get<std::string>("dump");
+    job.report = parser.get<std::string>("report");
+    job.save_model = parser.get<std::string>("save_model");
+    job.load_model = parser.get<std::string>("load_model");
+    const std::string method = parser.get<std::string>("method");
+    if (method != "gcpw" && method != "none")
+        throw WrongUse("unknown method '" + method + "'; there are gcpw, none");
+    job.gcpw = method == "gcpw";
+    StitchSetup& setup = job.setup;
+    setup.mode = parser.get<std::string>("mode");
+    setup.warp = parser.get<std::string>("warp");
+    setup.features = parser.get<std::string>("features");
+    setup.seam = parser.get<std::string>("seam");
+    setup.blend = parser.get<std::string>("blend");
+    setup.expos_comp = parser.get<std::string>("expos_comp");
+    setup.ba = parser.get<std::string>("ba");
+    setup.wave_correct = parser.get<std::string>("wave_correct");
+    setup.work_megapix = parser.get<double>("work_megapix");
+    setup.seam_megapix = parser.get<double>("seam_megapix");
+    setup.compose_megapix = parser.get<double>("compose_megapix");
+    setup.conf_thresh = parser.get<double>("conf_thresh");
+    setup.match_conf = parser.get<double>("match_conf");
+    setup.range_width = parser.get<int>("rangewidth");
+    job.reference = parser.get<int>("reference");
+    const int threads = parser.get<int>("threads");
+    applySettings(parser.get<std::string>("set"), job.params);
+    if (!parser.check())
+    {
+        parser.printErrors();
+        throw WrongUse("--help lists the options");
+    }
+    if (threads >= 0)
+        cv::setNumThreads(threads);
+    if (job.paths.size() < 2)
+        throw WrongUse("two photographs or more are needed: gcpw_stitch IMAGE IMAGE..; --help lists the options");
+    if (job.reference != -1 && (job.reference < 1 || job.reference > static_cast<int>(job.paths.size())))
+        throw WrongUse("--reference is the number of an image, 1 to " + std::to_string(job.paths.size()));
+    if (setup.work_megapix <= 0 || setup.seam_megapix <= 0)
+        throw WrongUse("--work_megapix and --seam_megapix are million pixels, more than 0");
+    if (!job.gcpw && (!job.save_model.empty() || !job.load_model.empty()))
+        throw WrongUse("there is a model only with --method=gcpw");
+    job.params.check();
+    return job;
+}
+
+/// What cv::Stitcher does to an 8-bit BGR photograph.
+std::vector<cv::Mat> readAll(const std::vector<std::string>& paths)
+{
+    std::vector<cv::Mat> images;
+    for (const std::string& path : paths)
+    {
+        cv::Mat image = readImage(path);
+        if (image.depth() == CV_16U)
+            image.convertTo(image, CV_8U, 1.0 / 257);
+        if (image.channels() == 1)
+            cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
+        if (image.channels() == 4)
+            cv::cvtColor(image, image, cv::COLOR_BGRA2BGR);
+        images.push_back(image);
+    }
+    return images;
+}
+
+/// Writes the warped images of a finished stitcher at compose scale, colours untouched.
+void dumpWarped(const std::string& folder, cv::Stitcher& stitcher, const std::vector<cv::Mat>& images)
+{
+    makeFolder(folder);
+    const std::vector<int> component = stitcher.component();
+    const std::vector<cv::detail::CameraParams> cameras = stitcher.cameras();
+    const double full = stitcher.compositingResol();
+    const double compose_scale =
+        full > 0 ? std::min(1.0, std::sqrt(full * 1e6 / static_cast<double>(images[component[0]].total()))) : 1.0;
+    const double aspect = compose_scale / stitcher.workScale();
+    std::vector<double> focals;
+    for (const cv::detail::CameraParams& camera : cameras)
+        focals.push_back(camera.focal);
+    std::sort(focals.begin(), focals.end());
+    const size_t half = focals.size() / 2;
+    const double median = focals.size() % 2 == 1 ? focals[half] : 0.5 * (focals[half - 1] + focals[half]);
+    const cv::Ptr<cv::detail::RotationWarper> warper = stitcher.warper()->create(static_cast<float>(median * aspect));
+    std::string corners;
+    for (size_t k = 0; k < cameras.size(); ++k)
+    {
+        cv::Mat image = images[component[k]];
+        if (std::abs(compose_scale - 1) > 0.1)
+            cv::resize(image, image, cv::Size(), compose_scale, compose_scale, cv::INTER_LINEAR_EXACT);
+        cv::detail::CameraParams camera = cameras[k];
+        camera.focal *= aspect;
+        camera.ppx *= aspect;
+        camera.ppy *= aspect;
+        cv::Mat K;
+        camera.K().convertTo(K, CV_32F);
+        cv::Mat warped;
+        cv::Mat mask;
+        const cv::Point corner = warper->warp(image, K, camera.R, cv::INTER_LINEAR, cv::BORDER_REFLECT, warped);
+        warper->warp(cv::Mat(image.size(), CV_8UC1, cv::Scalar(255)), K, camera.R, cv::INTER_NEAREST, cv::BORDER_CONSTANT, mask);
+        const std::string number = cv::format("%03d", component[k]);
+        writeImage(folder + "/" + number + "_image.png", warped);
+        writeImage(folder + "/" + number + "_mask.png", mask);
+        corners += cv::format("%s,%d,%d\n", number.c_str(), corner.x, corner.y);
+    }
+    writeText(folder + "/corners.csv", corners);
+}
+
+std::string reportText(const Job& job, const std::string& status, const std::vector<int>& kept, const StitcherBinding* binding,
+                       const Stages& stages, cv::Size size)
+{
+    Json json;
+    json.beginObject().add("status", status).add("method", job.gcpw ? "gcpw" : "none");
+    json.add("width", size.width).add("height", size.height).add("images", static_cast<int>(job.paths.size()));
+    json.beginArray("dropped");
+    for (size_t i = 0; i < job.paths.size(); ++i)
+        if (std::find(kept.begin(), kept.end(), static_cast<int>(i)) == kept.end())
+            json.add("", job.paths[i]);
+    json.endArray();
+    if (binding)
+    {
+        const Report& report = binding->rig().alignment.report();
+        json.beginObject("alignment").add("status", nameOf(report.status)).add("message", report.message);
+        json.add("estimations", binding->estimations()).add("folds", report.folds);
+        json.add("max_displacement_px", report.max_displacement_px);
+        json.add("gain_min", report.gain_min).add("gain_max", report.gain_max);
+        json.beginArray("pairs");
+        for (const PairReport& pair : report.pairs)
+        {
+            json.beginObject().add("a", pair.a).add("b", pair.b).add("points", pair.points).add("lines", pair.lines);
+            json.add("miss_before", pair.miss_before).add("miss_after", pair.miss_after).endObject();
+        }
+        json.endArray();
+        const Timings& t = report.timings_ms;
+        json.beginObject("timings_ms").add("features", t.features).add("matching", t.homography).add("align", t.align);
+        json.add("total", t.total).endObject().endObject();
+    }
+    json.beginObject("timings_ms").add("read", stages.read).add("cameras", stages.cameras).add("compose", stages.compose);
+    json.add("total", stages.read + stages.cameras + stages.compose).endObject().endObject();
+    return json.text();
+}
+
+cv::Stitcher::Status findCameras(const Job& job, const std::vector<cv::Mat>& images, cv::Stitcher& stitcher,
+                                 StitcherBinding* binding)
+{
+    if (job.load_model.empty())
+        return stitcher.estimateTransform(images);
+    const Rig rig = Rig::load(job.load_model);
+    binding->setRig(rig);
+    for (int index : rig.component)
+        if (index < 0 || index >= static_cast<int>(images.size()))
+            throw WrongUse(job.load_model + " is of " + std::to_string(rig.component.size()) + " other images");
+    return stitcher.setTransform(images, rig.cameras, rig.component);
+}
+
+int stitch(const Job& job)
+{
+    Stages stages;
+    cv::TickMeter clock;
+    const auto lap = [&clock]
+    {
+        clock.stop();
+        const double ms = clock.getTimeMilli();
+        clock.reset();
+        clock.start();
+        return ms;
+    };
+    clock.start();
+    const std::vector<cv::Mat> images = readAll(job.paths);
+    stages.read = lap();
+    const cv::Ptr<cv::Stitcher> stitcher = makeStitcher(job.setup);
+    cv::Ptr<StitcherBinding> binding;
+    Params params = job.params;
+    if (job.gcpw)
+        binding = attach(stitcher, params, terminalProgress());
+    cv::Stitcher::Status status = findCameras(job, images, *stitcher, binding.get());
+    stages.cameras = lap();
+    const std::vector<int> kept = status == cv::Stitcher::OK ? stitcher->component() : std::vector<int>();
+    cv::Mat panorama;
+    if (status == cv::Stitcher::OK)
+        status = stitcher->composePanorama(panorama);
+    stages.compose = lap();
+    endProgress();
+    if (!job.report.empty())
+        writeText(job.report, reportText(job, explain(status), kept, binding.get(), stages, panorama.size()));
+    if (status != cv::Stitcher::OK)
+    {
+        std::cerr << "gcpw_stitch: " << explain(status) << '\n';
+        return EXIT_NO_ALIGNMENT;
+    }
+    for (size_t i = 0; i < job.paths.size(); ++i)
+        if (std::find(kept.begin(), kept.end(), static_cast<int>(i)) == kept.end())
+            std::cout << "dropped " << job.paths[i] << ": it matches none of the others well enough\n";
+    if (binding && !binding->rig().alignment.report().message.empty())
+        std::cout << binding->rig().alignment.report().message << '\n';
+    writeImage(job.output, panorama);
+    if (!job.save_model.empty())
+        binding->rig().save(job.save_model);
+    if (!job.dump.empty())
+        dumpWarped(job.dump, *stitcher, images);
+    std::cout << job.output << ": " << panorama.cols << " x " << panorama.rows << " of " << kept.size() << " images, "
+              << cvRound(stages.read + stages.cameras + stages.compose) << " ms\n";
+    return EXIT_STITCHED;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return runProgram("gcpw_stitch", [&]
+    {
+        const cv::CommandLineParser parser(argc, argv, KEYS);
+        if (parser.has("help"))
+        {
+            cv::CommandLineParser about = parser;
+            about.about("Stitches photographs with cv::Stitcher and Generalized Content-Preserving Warps.\n"
+                        "gcpw_stitch IMAGE IMAGE.. [--option=value..]. Exit code: 0 stitched, 1 no alignment, 2 wrong use.");
+            about.printMessage();
+            return static_cast<int>(EXIT_STITCHED);
+        }
+        checkOptions(argc, argv, KEYS);
+        return stitch(parse(parser, argc, argv));
+    });
+}
