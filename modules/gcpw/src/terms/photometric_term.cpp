@@ -220,7 +220,7 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
         {
             const ColorGrid::Quad& color = images[source_image_].color.quad(cell);
             const double now[3][2] = {{color[0].gain, color[0].bias}, {color[1].gain, color[1].bias}, {color[2].gain, color[2].bias}};
-            sums.supportGain(now, options_.weight, options_.gain_support, block);
+            sums.judgeColors(now, options_.weight, options_.gain_support, block);
         }
         total += block.energy;
         if (frozen_[cell])

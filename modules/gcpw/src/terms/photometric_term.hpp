@@ -35,7 +35,7 @@ public:
     {
         int step = 3;              ///< px of the level between samples
         double weight = 100;       ///< lambda_1
-        double gain_support = 0;   ///< see SampleSums::supportGain(); 0 in the paper
+        double gain_support = 0;   ///< see SampleSums::judgeColors(); 0 in the paper
         double contrast_floor = 0; ///< f > 0: w_q = 0.01 / (v + f^2) with v the variance of Y in 5 x 5 px; 0: w_q = 1
     };
 

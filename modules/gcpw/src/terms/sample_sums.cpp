@@ -13,6 +13,8 @@ namespace
 {
 
 const double MIN_VARIANCE = 1e-6; ///< of an intensity: below is rounding of 8-bit images
+const double TEXTURE_VARIANCE = 2.5e-4; ///< of Y (16 gray levels squared): below, correlation says nothing
+const double MIN_TRUST = 0.01;     ///< keeps a colour that nothing else informs
 const double MAX_GAIN = 3;        ///< between two photographs of one scene
 
 /// Folds sums over pairs of corners out into the upper triangle of an 8 x 8 block.
@@ -115,30 +117,51 @@ ColoredBlock SampleSums::block(double weight) const
     return block;
 }
 
-void SampleSums::supportGain(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const
+SampleSums::Likeness SampleSums::likeness(int channel, double gain) const
 {
+    // The corrected target is T = G I + B - r; its moments follow from those of I and r.
+    const double* s = color_[channel];
+    const double mean_i = s[1] / s[2];
+    const double mean_r = s[4] / s[2];
+    const double cov_ir = s[3] / s[2] - mean_i * mean_r;
+    Likeness result;
+    result.variance = s[0] / s[2] - mean_i * mean_i;
+    result.target_variance = gain * gain * result.variance - 2 * gain * cov_ir + s[5] / s[2] - mean_r * mean_r;
+    if (result.variance > MIN_VARIANCE && result.target_variance > MIN_VARIANCE)
+        result.correlation = (gain * result.variance - cov_ir) / std::sqrt(result.variance * result.target_variance);
+    return result;
+}
+
+void SampleSums::judgeColors(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const
+{
+    if (!(color_[0][2] > 0))
+        return;
     for (int c = 0; c < 3; ++c)
     {
-        const double* s = color_[c];
-        if (!(s[2] > 0))
+        const Likeness like = likeness(c, now[c][0]);
+        if (!(like.variance > MIN_VARIANCE) || !(like.target_variance > MIN_VARIANCE))
             continue;
-        // The corrected target is T = G I + B - r; its moments follow from those of I and r.
-        const double gain = now[c][0];
-        const double mean_i = s[1] / s[2];
-        const double mean_r = s[4] / s[2];
-        const double var_i = s[0] / s[2] - mean_i * mean_i;
-        const double cov_ir = s[3] / s[2] - mean_i * mean_r;
-        const double var_r = s[5] / s[2] - mean_r * mean_r;
-        const double var_t = gain * gain * var_i - 2 * gain * cov_ir + var_r;
-        const double cov_it = gain * var_i - cov_ir;
-        if (!(var_i > MIN_VARIANCE) || !(var_t > MIN_VARIANCE))
-            continue;
-        const double unlike = std::max(1 - cov_it * cov_it / (var_i * var_t), 0.0);
-        const double wanted = std::min(std::max(std::sqrt(var_t / var_i), 1 / MAX_GAIN), MAX_GAIN);
-        const double stiffness = weight * support * unlike * s[2] * var_i;
+        const double unlike = std::max(1 - like.correlation * like.correlation, 0.0);
+        const double wanted = std::min(std::max(std::sqrt(like.target_variance / like.variance), 1 / MAX_GAIN), MAX_GAIN);
+        const double stiffness = weight * support * unlike * color_[c][2] * like.variance;
         block.color_color[c][0] += stiffness;
-        block.color_gradient[c][0] += stiffness * (gain - wanted);
-        block.energy += stiffness * (gain - wanted) * (gain - wanted);
+        block.color_gradient[c][0] += stiffness * (now[c][0] - wanted);
+        block.energy += stiffness * (now[c][0] - wanted) * (now[c][0] - wanted);
+    }
+    const Likeness luma = likeness(0, now[0][0]);
+    if (luma.variance < TEXTURE_VARIANCE || luma.target_variance < TEXTURE_VARIANCE)
+        return; // a flat quad has no texture to compare, but its mean is worth as much as any
+    const double correlation = std::max(luma.correlation, 0.0);
+    const double trust = std::max(correlation * correlation, MIN_TRUST);
+    for (auto& row : block.mesh_color)
+        for (double& value : row)
+            value *= trust;
+    for (int c = 0; c < 3; ++c)
+    {
+        for (double& value : block.color_color[c])
+            value *= trust;
+        for (double& value : block.color_gradient[c])
+            value *= trust;
     }
 }
 

@@ -35,18 +35,29 @@ public:
     /// The block of all samples, times `weight`.
     ColoredBlock block(double weight) const;
 
-    /** @brief Holds the gains of a block up where its samples do not correlate; adds the energy of that.
-
-        E_v = weight * support * sum_c (1 - rho^2) n var(I) (G - sd(T) / sd(I))^2
+    /** @brief Lets a quad speak of colour only as far as its two images show the same thing.
 
     Least squares makes the gain rho * sd(T) / sd(I): where the images do not line up or show different things it falls
-    towards zero, the texture fades, and with it the force that would align it.
-    @param now gain, bias per channel at which the samples were taken */
-    void supportGain(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const;
+    towards zero, the texture fades, and with it the force that would align it. So the gain is held up,
+
+        E_v = weight * support * sum_c (1 - rho_c^2) n var(I_c) (G_c - sd(T_c) / sd(I_c))^2
+
+    and all the quad says of its colour counts by max(rho_Y, 0)^2, so that its neighbours decide.
+    @param now gain, bias per channel at which the samples were taken
+    @param block of these samples; receives the energy E_v */
+    void judgeColors(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const;
 
 private:
     double curvature_[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
     double corner_[4][14] = {};    ///< per corner: sum w_k (gx r, gy r), then per channel w_k (gx I, gx, gy I, gy)
+    struct Likeness
+    {
+        double variance = 0;        ///< of I
+        double target_variance = 0; ///< of T, the corrected target
+        double correlation = 0;
+    };
+    Likeness likeness(int channel, double gain) const;
+
     double color_[3][6] = {};      ///< per channel: sum I I, I, 1, I r, r, r r
     int samples_ = 0;
 };
