@@ -28,8 +28,8 @@ const char* const KEYS =
     "{work_megapix    | 0.6         | resolution of features and alignment, million pixels }"
     "{seam_megapix    | 0.1         | resolution of the seams, million pixels }"
     "{compose_megapix | -1          | resolution of the panorama; -1 keeps the photographs' own }"
-    "{conf_thresh     | 0.5         | confidence that two images belong together; more drops more images }"
-    "{match_conf      | 0.35        | confidence of a feature match }"
+    "{conf_thresh     | 1           | confidence that two images belong together; more drops more images }"
+    "{match_conf      | 0.65        | confidence of a feature match }"
     "{rangewidth      | -1          | match only images this near to each other in the list; -1 all }"
     "{reference       | -1          | number of the image that keeps its place, 1-based; -1 chooses }"
     "{dump            |             | folder for the warped images, colours untouched: 000_image.png, 000_mask.png, corners.csv }"
@@ -110,6 +110,8 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
         throw WrongUse("--work_megapix and --seam_megapix are million pixels, more than 0");
     if (!job.gcpw && (!job.save_model.empty() || !job.load_model.empty()))
         throw WrongUse("there is a model only with --method=gcpw");
+    if (job.reference != -1)
+        job.params.referenceImage = job.reference - 1;
     job.params.check();
     return job;
 }
@@ -237,9 +239,8 @@ int stitch(const Job& job)
     stages.read = lap();
     const cv::Ptr<cv::Stitcher> stitcher = makeStitcher(job.setup);
     cv::Ptr<StitcherBinding> binding;
-    Params params = job.params;
     if (job.gcpw)
-        binding = attach(stitcher, params, terminalProgress());
+        binding = attach(stitcher, job.params, terminalProgress());
     cv::Stitcher::Status status = findCameras(job, images, *stitcher, binding.get());
     stages.cameras = lap();
     const std::vector<int> kept = status == cv::Stitcher::OK ? stitcher->component() : std::vector<int>();

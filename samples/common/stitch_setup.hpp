@@ -19,8 +19,8 @@ struct StitchSetup
     double work_megapix = 0.6;
     double seam_megapix = 0.1;
     double compose_megapix = -1;
-    double conf_thresh = 0.5;
-    double match_conf = 0.35;
+    double conf_thresh = 1;
+    double match_conf = 0.65;
     int range_width = -1;
 };
 

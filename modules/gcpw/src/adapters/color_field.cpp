@@ -18,8 +18,8 @@ typedef Vec<float, 12> ColorMap;   ///< rows of a 3 x 4 matrix on (B, G, R, 1) i
 
 GridValue readGrid(const Mat& grid, double x, double y)
 {
-    x = std::min(std::max(x - 0.5, 0.0), grid.cols - 1.0);
-    y = std::min(std::max(y - 0.5, 0.0), grid.rows - 1.0);
+    x = std::min(std::max(0.0, x - 0.5), grid.cols - 1.0); // in this order NaN becomes 0
+    y = std::min(std::max(0.0, y - 0.5), grid.rows - 1.0);
     const int col = std::min(static_cast<int>(x), std::max(grid.cols - 2, 0));
     const int row = std::min(static_cast<int>(y), std::max(grid.rows - 2, 0));
     const int right = std::min(col + 1, grid.cols - 1);

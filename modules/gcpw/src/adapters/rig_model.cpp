@@ -1,6 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "adapters/rig_model.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include "pipeline/result.hpp"
 
@@ -32,6 +33,14 @@ Point2d PlacedMesh::restPoint(Point2d lattice_px) const
 Point2d PlacedMesh::latticePoint(Point2d rest_canvas_px) const
 {
     return {(rest_canvas_px.x - start_.x) / step_.x, (rest_canvas_px.y - start_.y) / step_.y};
+}
+
+Point2d PlacedMesh::canvasAt(Point2d rest_canvas_px) const
+{
+    const Point2d at = latticePoint(rest_canvas_px);
+    const Size size = mesh_.lattice().imageSize();
+    const Point2d inside(std::min(std::max(at.x, -0.5), size.width - 0.5), std::min(std::max(at.y, -0.5), size.height - 0.5));
+    return mesh_.warp(inside) + rest_canvas_px - restPoint(inside);
 }
 
 Point2d PlacedMesh::restAt(Point2d canvas_px, int& hint) const

@@ -27,8 +27,9 @@ public:
     /// Where the base warper has what the mesh shows at a canvas point; beside the mesh it goes on as it ends.
     Point2d restAt(Point2d canvas_px, int& hint) const;
 
-    /// Canvas point of a point of the base warper's canvas.
-    Point2d canvasAt(Point2d rest_canvas_px) const { return mesh_.warp(latticePoint(rest_canvas_px)); }
+    /// Canvas point of a point of the base warper's canvas. Beside the mesh the nearest border point's move is kept: to
+    /// extrapolate stretched border quads would run wild.
+    Point2d canvasAt(Point2d rest_canvas_px) const;
 
     /// Base canvas point of a point of the lattice, and the way back.
     Point2d restPoint(Point2d lattice_px) const;

@@ -1,6 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "opencv2/gcpw/stitcher.hpp"
 
+#include <algorithm>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include "adapters/image_capture.hpp"
@@ -67,7 +68,14 @@ public:
             return;
         }
         ++estimations_;
-        rig = alignRig(images, cameras, session_->base, params_, progress_);
+        Params params = params_;
+        if (params.referenceImage >= 0)
+        {
+            // The user counts the images given to the stitcher; some may have been dropped.
+            const auto found = std::find(component.begin(), component.end(), params.referenceImage);
+            params.referenceImage = found == component.end() ? -1 : static_cast<int>(found - component.begin());
+        }
+        rig = alignRig(images, cameras, session_->base, params, progress_);
         rig.component = component;
         rig.work_scale = stitcher->workScale();
         session_->setRig(rig);

@@ -46,7 +46,7 @@ refinement, the stitcher goes on with its own warper and compensator; the reason
 After setTransform() with unknown cameras the stitcher shows its images to nobody in time: the plain warper is used, unless
 StitcherBinding::setImages() or setRig() was called.
 @param stitcher in PANORAMA or SCANS mode, set up completely; replaces its warper, exposure compensator and features finder
-@param params constants of the alignment; referenceImage counts the images of the component
+@param params constants of the alignment; referenceImage counts the images given to the stitcher
 @param progress called during the alignment; cancelling gives the plain panorama
 @throws cv::Exception if the stitcher is empty or params are out of range */
 CV_EXPORTS Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params = Params(),
