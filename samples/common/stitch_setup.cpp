@@ -112,16 +112,31 @@ cv::Ptr<detail::BundleAdjusterBase> adjusterOf(const std::string& name)
                       {"no", make<A, detail::NoBundleAdjuster>()}});
 }
 
+/// OpenCV's approximate matching draws from the thread's generator: seeded for each pair, cameras are the same in every run.
+template <typename Matcher>
+class Repeatable : public Matcher
+{
+public:
+    using Matcher::Matcher;
+
+protected:
+    void match(const detail::ImageFeatures& a, const detail::ImageFeatures& b, detail::MatchesInfo& info) override
+    {
+        cv::theRNG() = cv::RNG(static_cast<uint64_t>(a.img_idx * 65536 + b.img_idx + 1));
+        Matcher::match(a, b, info);
+    }
+};
+
 void setMatcher(const StitchSetup& setup, bool scans, cv::Stitcher& stitcher)
 {
     const float confidence = static_cast<float>(setup.match_conf);
     cv::Ptr<detail::FeaturesMatcher> matcher;
     if (scans)
-        matcher = cv::makePtr<detail::AffineBestOf2NearestMatcher>(false, false, confidence);
+        matcher = cv::makePtr<Repeatable<detail::AffineBestOf2NearestMatcher>>(false, false, confidence);
     else if (setup.range_width > 0)
-        matcher = cv::makePtr<detail::BestOf2NearestRangeMatcher>(setup.range_width, false, confidence);
+        matcher = cv::makePtr<Repeatable<detail::BestOf2NearestRangeMatcher>>(setup.range_width, false, confidence);
     else
-        matcher = cv::makePtr<detail::BestOf2NearestMatcher>(false, confidence);
+        matcher = cv::makePtr<Repeatable<detail::BestOf2NearestMatcher>>(false, confidence);
     stitcher.setFeaturesMatcher(matcher);
 }
 

@@ -1,0 +1,250 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "test_precomp.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <opencv2/stitching/detail/motion_estimators.hpp>
+#include "rig_scene.hpp"
+
+namespace opencv_test { namespace {
+
+/// Three views with parallax; `frame` changes what is seen, not the cameras.
+std::vector<Mat> frameOf(int frame = 0)
+{
+    static std::map<int, std::vector<Mat>> made;
+    std::vector<Mat>& images = made[frame];
+    const double yaw[] = {-0.45, 0, 0.45};
+    for (int i = 0; images.size() < 3; ++i)
+        images.push_back(photographOf(cameraAt(yaw[i], 0.03 * (i - 1)), 4, 1.5 * i, 7 + static_cast<uint64_t>(frame)));
+    return images;
+}
+
+gcpw::Params quick()
+{
+    gcpw::Params params;
+    params.meshCols = params.meshRows = 12;
+    params.maxIterations = 3;
+    return params;
+}
+
+Ptr<Stitcher> makeStitcher(Stitcher::Mode mode = Stitcher::PANORAMA)
+{
+    const Ptr<Stitcher> stitcher = Stitcher::create(mode);
+    stitcher->setFeaturesFinder(SIFT::create(2000, 3, 0.01));
+    stitcher->setSeamFinder(makePtr<cv::detail::DpSeamFinder>());
+    stitcher->setBlender(cv::detail::Blender::createDefault(cv::detail::Blender::MULTI_BAND));
+    return stitcher;
+}
+
+void expectSame(const Mat& a, const Mat& b)
+{
+    ASSERT_EQ(a.size(), b.size());
+    ASSERT_GT(countNonZero(a.reshape(1)), static_cast<int>(a.total())); // an empty picture proves nothing
+    EXPECT_EQ(cv::norm(a, b, NORM_INF), 0);
+}
+
+TEST(Gcpw_Stitcher, stitch_refines_the_alignment)
+{
+    const Ptr<Stitcher> stitcher = makeStitcher();
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+    Mat panorama;
+    ASSERT_EQ(stitcher->stitch(frameOf(), panorama), Stitcher::OK);
+    EXPECT_TRUE(binding->rig().usable()) << binding->rig().alignment.report().message;
+    EXPECT_EQ(binding->estimations(), 1);
+    EXPECT_EQ(binding->rig().alignment.report().folds, 0);
+    ASSERT_GE(binding->rig().alignment.report().pairs.size(), size_t(2));
+    for (const gcpw::PairReport& pair : binding->rig().alignment.report().pairs)
+    {
+        if (pair.points > 50)
+        {
+            EXPECT_LT(pair.miss_after, 0.7 * pair.miss_before);
+        }
+    }
+}
+
+TEST(Gcpw_Stitcher, one_estimate_serves_many_frames_and_setTransform_gives_the_same_bits)
+{
+    const Ptr<Stitcher> stitcher = makeStitcher();
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+    Mat first;
+    ASSERT_EQ(stitcher->estimateTransform(frameOf()), Stitcher::OK);
+    ASSERT_EQ(stitcher->composePanorama(first), Stitcher::OK);
+    Mat again;
+    ASSERT_EQ(stitcher->setTransform(frameOf(), stitcher->cameras(), stitcher->component()), Stitcher::OK);
+    ASSERT_EQ(stitcher->composePanorama(again), Stitcher::OK);
+    expectSame(first, again);
+    Mat other;
+    ASSERT_EQ(stitcher->composePanorama(frameOf(1), other), Stitcher::OK);
+    EXPECT_EQ(other.size(), first.size());
+    ASSERT_GT(cv::norm(frameOf()[0], frameOf(1)[0], NORM_INF), 0);
+    EXPECT_GT(cv::norm(first, other, NORM_INF), 0);
+    EXPECT_EQ(binding->estimations(), 1);
+}
+
+TEST(Gcpw_Stitcher, a_loaded_rig_gives_the_same_bits)
+{
+    const Ptr<Stitcher> stitcher = makeStitcher();
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+    Mat first;
+    ASSERT_EQ(stitcher->stitch(frameOf(), first), Stitcher::OK);
+    const std::string path = cv::tempfile(".json.gz");
+    binding->rig().save(path);
+    const gcpw::Rig rig = gcpw::Rig::load(path);
+    std::remove(path.c_str());
+
+    const Ptr<Stitcher> second = makeStitcher();
+    const Ptr<gcpw::StitcherBinding> second_binding = gcpw::attach(second, quick());
+    second_binding->setRig(rig);
+    Mat again;
+    ASSERT_EQ(second->setTransform(frameOf(), rig.cameras, rig.component), Stitcher::OK);
+    ASSERT_EQ(second->composePanorama(again), Stitcher::OK);
+    EXPECT_EQ(second_binding->estimations(), 0);
+    expectSame(first, again);
+}
+
+TEST(Gcpw_Stitcher, setTransform_with_unknown_cameras_estimates_only_from_images_it_was_given)
+{
+    const std::vector<cv::detail::CameraParams> cameras{cameraAt(-0.45, -0.03), cameraAt(0), cameraAt(0.45, 0.03)};
+    const Ptr<Stitcher> plain = makeStitcher();
+    Mat expected;
+    ASSERT_EQ(plain->setTransform(frameOf(), cameras), Stitcher::OK);
+    ASSERT_EQ(plain->composePanorama(expected), Stitcher::OK);
+
+    const Ptr<Stitcher> stitcher = makeStitcher();
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+    Mat panorama;
+    ASSERT_EQ(stitcher->setTransform(frameOf(), cameras), Stitcher::OK);
+    ASSERT_EQ(stitcher->composePanorama(panorama), Stitcher::OK);
+    expectSame(expected, panorama);
+    EXPECT_FALSE(binding->rig().alignment.report().message.empty());
+
+    binding->setImages(frameOf());
+    ASSERT_EQ(stitcher->setTransform(frameOf(), cameras), Stitcher::OK);
+    ASSERT_EQ(stitcher->composePanorama(panorama), Stitcher::OK);
+    EXPECT_TRUE(binding->rig().usable());
+    EXPECT_EQ(binding->estimations(), 1);
+}
+
+TEST(Gcpw_Stitcher, cancelling_gives_the_plain_panorama)
+{
+    for (const std::string stage : {"features", "homography", "align"})
+    {
+        const Ptr<Stitcher> stitcher = makeStitcher();
+        const Ptr<gcpw::StitcherBinding> binding =
+            gcpw::attach(stitcher, quick(), [&](const std::string& now, double) { return now != stage; });
+        Mat panorama;
+        ASSERT_EQ(stitcher->stitch(frameOf(), panorama), Stitcher::OK);
+        EXPECT_EQ(binding->rig().alignment.report().status, gcpw::Status::CANCELLED);
+        const Ptr<Stitcher> plain = makeStitcher();
+        Mat expected;
+        ASSERT_EQ(plain->setTransform(frameOf(), stitcher->cameras(), stitcher->component()), Stitcher::OK);
+        ASSERT_EQ(plain->composePanorama(expected), Stitcher::OK);
+        expectSame(expected, panorama);
+    }
+}
+
+TEST(Gcpw_Stitcher, stitcher_and_binding_do_not_hold_each_other)
+{
+    Ptr<Stitcher> stitcher = makeStitcher();
+    Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+    const std::weak_ptr<Stitcher> stitcher_alive = stitcher;
+    const std::weak_ptr<gcpw::StitcherBinding> binding_alive = binding;
+    binding.reset();
+    EXPECT_FALSE(binding_alive.expired()); // the stitcher works on for who ignores the return value
+    stitcher.reset();
+    EXPECT_TRUE(stitcher_alive.expired());
+    EXPECT_TRUE(binding_alive.expired());
+}
+
+TEST(Gcpw_Stitcher, images_of_mixed_sizes_and_one_that_does_not_belong)
+{
+    std::vector<Mat> images = frameOf();
+    resize(images[1], images[1], Size(), 1.3, 1.3, INTER_CUBIC);
+    Mat stranger(RIG_IMAGE, CV_8UC3, Scalar::all(128));
+    images.insert(images.begin() + 1, stranger);
+    const Ptr<Stitcher> stitcher = makeStitcher();
+    gcpw::Params params = quick();
+    params.referenceImage = 3;
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, params);
+    Mat panorama;
+    ASSERT_EQ(stitcher->stitch(images, panorama), Stitcher::OK);
+    EXPECT_EQ(stitcher->component(), (std::vector<int>{0, 2, 3}));
+    ASSERT_TRUE(binding->rig().usable()) << binding->rig().alignment.report().message;
+    const gcpw::Alignment::Image& held = binding->rig().alignment.image(2);
+    EXPECT_EQ(cv::norm(held.mesh, held.rough, NORM_INF), 0);
+}
+
+TEST(Gcpw_Stitcher, scans_with_a_change_of_scale_line_up)
+{
+    const Texture texture(3);
+    std::vector<Mat> images;
+    for (const double zoom : {1.0, 1.2})
+    {
+        Mat image(360, 420, CV_8UC3);
+        for (int y = 0; y < image.rows; ++y)
+            for (int x = 0; x < image.cols; ++x)
+                image.at<Vec3b>(y, x) = Vec3b(texture.at(Point2d(x / zoom + (zoom > 1 ? 170 : 0), y / zoom)) * 255.0);
+        images.push_back(image);
+    }
+    const Ptr<Stitcher> stitcher = makeStitcher(Stitcher::SCANS);
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+    Mat panorama;
+    ASSERT_EQ(stitcher->stitch(images, panorama), Stitcher::OK);
+    ASSERT_TRUE(binding->rig().usable()) << binding->rig().alignment.report().message;
+    for (const gcpw::PairReport& pair : binding->rig().alignment.report().pairs)
+        EXPECT_LT(pair.miss_after, 10);
+    // The same point of the scene, seen by either scan, lies at one place of the canvas.
+    const Ptr<cv::detail::RotationWarper> warper = stitcher->warper()->create(1);
+    for (const Point2d p : {Point2d(250, 60), Point2d(330, 150), Point2d(400, 280)})
+    {
+        const Mat K = Mat::eye(3, 3, CV_32F);
+        const Point2f a = warper->warpPoint(Point2f(p), K, stitcher->cameras()[0].R);
+        const Point2f b = warper->warpPoint(Point2f(Point2d((p.x - 170) * 1.2, p.y * 1.2)), K, stitcher->cameras()[1].R);
+        EXPECT_LE(cv::norm(a - b), 0.5) << a << b;
+    }
+}
+
+TEST(Gcpw_Stitcher, a_camera_that_is_none_leads_to_a_message)
+{
+    std::vector<cv::detail::CameraParams> cameras{cameraAt(-0.45), cameraAt(0), cameraAt(0.45)};
+    cameras[1].R.at<float>(2, 2) = std::numeric_limits<float>::quiet_NaN();
+    const gcpw::Rig rig = gcpw::alignRig(frameOf(), cameras, makePtr<cv::SphericalWarper>(), quick());
+    EXPECT_FALSE(rig.usable());
+    EXPECT_NE(rig.alignment.report().message.find("camera 1"), std::string::npos);
+    // A picture of half the sphere's plane: out of proportion.
+    cameras[1] = cameraAt(1.45);
+    const gcpw::Rig stretched = gcpw::alignRig(frameOf(), cameras, makePtr<cv::PlaneWarper>(), quick());
+    EXPECT_FALSE(stretched.usable());
+}
+
+TEST(Gcpw_Stitcher, too_few_images_are_refused_as_ever)
+{
+    const Ptr<Stitcher> stitcher = makeStitcher();
+    gcpw::attach(stitcher, quick());
+    Mat panorama;
+    EXPECT_EQ(stitcher->stitch(std::vector<Mat>(), panorama), Stitcher::ERR_NEED_MORE_IMGS);
+    EXPECT_EQ(stitcher->stitch(std::vector<Mat>(1, frameOf()[0]), panorama), Stitcher::ERR_NEED_MORE_IMGS);
+    EXPECT_THROW(gcpw::attach(Ptr<Stitcher>()), cv::Exception);
+}
+
+TEST(Gcpw_Stitcher, images_across_the_seam_join_the_circle)
+{
+    // 12 views of a sphere: every neighbour is found, also across +-180 degrees.
+    std::vector<Mat> images;
+    std::vector<cv::detail::CameraParams> cameras;
+    for (int i = 0; i < 12; ++i)
+    {
+        const cv::detail::CameraParams truth = cameraAt(2 * CV_PI * i / 12 + 0.1);
+        images.push_back(photographOf(truth, 0, 0));
+        cameras.push_back(truth);
+    }
+    gcpw::Params params = quick();
+    params.referenceImage = 0;
+    const gcpw::Rig rig = gcpw::alignRig(images, cameras, makePtr<cv::SphericalWarper>(), params);
+    ASSERT_TRUE(rig.usable()) << rig.alignment.report().message;
+    EXPECT_GE(rig.alignment.report().pairs.size(), size_t(12));
+    EXPECT_GT(std::count_if(rig.turns.begin(), rig.turns.end(), [](double turn) { return turn != 0; }), 0);
+}
+
+}} // namespace
