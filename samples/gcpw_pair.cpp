@@ -157,6 +157,7 @@ int stitch(const Job& job)
     const cv::Mat panorama = blendPair(canvas, job.blend);
     render.stop();
     const Score after = scorePair(canvas);
+    writeImage(job.output, panorama);
     if (!job.dump.empty())
         dumpCanvas(job.dump, canvas);
     if (!job.report.empty())
@@ -164,7 +165,6 @@ int stitch(const Job& job)
         const Score before = scorePair(renderPair(alignment.rough(), shown, target));
         writeText(job.report, reportText(report, job.params.method, &before, &after, render.getTimeMilli()));
     }
-    writeImage(job.output, panorama);
     endProgress();
     if (!report.message.empty())
         std::cout << report.message << '\n';
