@@ -38,8 +38,9 @@ SolveStatus conjugateGradient(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, Mu
     {
         multiply(p, q);
         const double curvature = p.dot(q);
+        // Along a direction of no curvature the sum has no minimum; what was found before it still lowers the energy.
         if (!(curvature > 0))
-            return SolveStatus::NotPositiveDefinite;
+            return iteration > 0 && std::isfinite(curvature) ? SolveStatus::NotConverged : SolveStatus::NotPositiveDefinite;
         const double alpha = rz / curvature;
         x += alpha * p;
         r -= alpha * q;

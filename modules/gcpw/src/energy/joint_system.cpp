@@ -77,10 +77,20 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
 {
     if (!eliminated_)
     {
+        // A quad tied to a moving partner keeps its colour for this step: taking the colour out of one side alone would
+        // leave a matrix that is no sum of squares.
+        std::vector<std::vector<bool>> tied(lattices_.size());
+        for (const Partner& item : partners_)
+        {
+            tied[item.a.image].resize(lattices_[item.a.image].cellCount());
+            tied[item.a.image][item.a.cell] = true;
+        }
         for (const Colored& item : colored_)
         {
+            const std::vector<bool>& ties = tied[item.quad.image];
             ColoredBlock block = item.block;
-            colors_.eliminate(item.quad, colors, block);
+            if (ties.empty() || !ties[item.quad.cell])
+                colors_.eliminate(item.quad, colors, block);
             meshes_.addColored(item.quad, block);
         }
         for (const Partner& item : partners_)
