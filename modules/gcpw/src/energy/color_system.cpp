@@ -71,9 +71,10 @@ void ColorSystem::addDifference(QuadId a, QuadId b, const ColorBlock& block)
     }
 }
 
-void ColorSystem::addPull(QuadId quad, double weight)
+void ColorSystem::addPull(QuadId quad, double weight, const ColorGrid::Quad& rest)
 {
-    nodes_[nodeOf(quad)].pull += weight;
+    nodes_[nodeOf(quad)].pull = weight;
+    nodes_[nodeOf(quad)].rest = rest;
 }
 
 void ColorSystem::clearPulls()
@@ -150,8 +151,8 @@ void ColorSystem::eliminate(QuadId quad, const std::vector<ColorGrid>& now, Colo
         if (!(determinant(own) > 0))
             continue; // nothing holds this colour: leave it where it is
         const ChannelAffine& mine = grid.quad(quad.cell)[c];
-        Pair gradient{{block.color_gradient[c][0] + node.pull * (mine.gain - 1),
-                       block.color_gradient[c][1] + node.pull * mine.bias}};
+        Pair gradient{{block.color_gradient[c][0] + node.pull * (mine.gain - node.rest[c].gain),
+                       block.color_gradient[c][1] + node.pull * (mine.bias - node.rest[c].bias)}};
         for (const int e : node.edges)
         {
             const int neighbour = edges_[e].a == index ? edges_[e].b : edges_[e].a;
@@ -237,8 +238,8 @@ SolveStatus ColorSystem::solveChannel(int channel, Eigen::VectorXd& x) const
     Eigen::VectorXd right(2 * count);
     for (size_t i = 0; i < count; ++i)
     {
-        right[2 * i] = nodes_[i].right[channel][0] + nodes_[i].pull;
-        right[2 * i + 1] = nodes_[i].right[channel][1];
+        right[2 * i] = nodes_[i].right[channel][0] + nodes_[i].pull * nodes_[i].rest[channel].gain;
+        right[2 * i + 1] = nodes_[i].right[channel][1] + nodes_[i].pull * nodes_[i].rest[channel].bias;
     }
     const auto product = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out)
     {
@@ -297,7 +298,11 @@ double ColorSystem::regularEnergy(const std::vector<ColorGrid>& grids) const
     {
         const Eigen::VectorXd x = values(grids, c);
         for (size_t i = 0; i < nodes_.size(); ++i)
-            energy += nodes_[i].pull * ((x[2 * i] - 1) * (x[2 * i] - 1) + x[2 * i + 1] * x[2 * i + 1]);
+        {
+            const double gain = x[2 * i] - nodes_[i].rest[c].gain;
+            const double bias = x[2 * i + 1] - nodes_[i].rest[c].bias;
+            energy += nodes_[i].pull * (gain * gain + bias * bias);
+        }
         for (const Edge& edge : edges_)
         {
             const double gain = x[2 * edge.a] - x[2 * edge.b];

@@ -34,8 +34,8 @@ public:
     /// (color_a - color_b)^T block (color_a - color_b) in every channel; kept for good.
     void addDifference(QuadId a, QuadId b, const ColorBlock& block);
 
-    /// weight * ((gain - 1)^2 + bias^2) in every channel; kept until clearPulls().
-    void addPull(QuadId quad, double weight);
+    /// weight * ((gain - rest gain)^2 + (bias - rest bias)^2) in every channel; one for a quad; kept until clearPulls().
+    void addPull(QuadId quad, double weight, const ColorGrid::Quad& rest = ColorGrid::Quad());
     void clearPulls();
 
     /// What the samples of a quad say about its colour, linearised at `now`; kept until clearSamples().
@@ -73,6 +73,7 @@ private:
         std::array<ColorBlock, CHANNELS> samples;
         std::array<std::array<double, 2>, CHANNELS> right{}; ///< right-hand side of the samples
         double pull = 0;
+        ColorGrid::Quad rest;
         ColorBlock edge_sum;
         bool held = false;
         std::vector<int> edges;

@@ -15,8 +15,7 @@ JointSystem::JointSystem(const std::vector<Lattice>& lattices, const std::vector
 void JointSystem::setZero()
 {
     meshes_.setZero();
-    colored_.clear();
-    partners_.clear();
+    samples_.clear();
     eliminated_ = false;
 }
 
@@ -37,18 +36,18 @@ void JointSystem::addBlock(QuadId quad, const QuadBlock& block, const QuadRow& g
 
 void JointSystem::addColored(QuadId quad, const ColoredBlock& block)
 {
-    colored_.push_back({quad, block});
+    samples_.addColored(quad, block);
 }
 
 void JointSystem::addPartner(QuadId a, QuadId b, const PartnerBlock& block)
 {
-    partners_.push_back({a, b, block});
+    samples_.addPartner(a, b, block);
 }
 
 void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors)
 {
     colors_.clearSamples();
-    for (const Colored& item : colored_)
+    for (const BlockBuffer::Colored& item : samples_.colored())
     {
         ColoredBlock moved = item.block;
         const int vertices = step ? static_cast<int>((*step)[item.quad.image].size()) : 0;
@@ -62,7 +61,7 @@ void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGri
         }
         colors_.addSamples(item.quad, moved, colors[item.quad.image].quad(item.quad.cell));
     }
-    for (const Partner& item : partners_)
+    for (const BlockBuffer::Partner& item : samples_.partners())
         colors_.addPartner(item.a, colors[item.a.image].quad(item.a.cell), item.b,
                            colors[item.b.image].quad(item.b.cell), item.block);
 }
@@ -80,12 +79,12 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
         // A quad tied to a moving partner keeps its colour for this step: taking the colour out of one side alone would
         // leave a matrix that is no sum of squares.
         std::vector<std::vector<bool>> tied(lattices_.size());
-        for (const Partner& item : partners_)
+        for (const BlockBuffer::Partner& item : samples_.partners())
         {
             tied[item.a.image].resize(lattices_[item.a.image].cellCount());
             tied[item.a.image][item.a.cell] = true;
         }
-        for (const Colored& item : colored_)
+        for (const BlockBuffer::Colored& item : samples_.colored())
         {
             const std::vector<bool>& ties = tied[item.quad.image];
             ColoredBlock block = item.block;
@@ -93,7 +92,7 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
                 colors_.eliminate(item.quad, colors, block);
             meshes_.addColored(item.quad, block);
         }
-        for (const Partner& item : partners_)
+        for (const BlockBuffer::Partner& item : samples_.partners())
             meshes_.addPartner(item.a, item.b, item.block);
         eliminated_ = true;
     }

@@ -2,6 +2,7 @@
 #ifndef OPENCV_GCPW_JOINT_SYSTEM_HPP
 #define OPENCV_GCPW_JOINT_SYSTEM_HPP
 
+#include "energy/block_buffer.hpp"
 #include "energy/color_system.hpp"
 #include "energy/mesh_system.hpp"
 
@@ -45,24 +46,12 @@ public:
     SolveStatus solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors);
 
 private:
-    struct Colored
-    {
-        QuadId quad;
-        ColoredBlock block;
-    };
+    void gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors);
+
     std::vector<Lattice> lattices_;
     MeshSystem meshes_;
     ColorSystem colors_;
-    struct Partner
-    {
-        QuadId a;
-        QuadId b;
-        PartnerBlock block;
-    };
-    void gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors);
-
-    std::vector<Colored> colored_;
-    std::vector<Partner> partners_;
+    BlockBuffer samples_;
     bool eliminated_ = false;
 };
 

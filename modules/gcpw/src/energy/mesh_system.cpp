@@ -1,6 +1,8 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "energy/mesh_system.hpp"
 
+#include <algorithm>
+#include <opencv2/core/utility.hpp>
 #include "energy/quad_matrix.hpp"
 
 namespace cv
@@ -11,12 +13,12 @@ namespace gcpw
 namespace
 {
 
-const double CG_TOLERANCE = 1e-4; ///< a Gauss-Newton step needs no more
-const int CG_MAX_ITERATIONS = 200;
+const double CG_TOLERANCE = getenv("CGT") ? atof(getenv("CGT")) : 1e-4;
+const int CG_MAX_ITERATIONS = getenv("CGM") ? atoi(getenv("CGM")) : 200;
 
 } // namespace
 
-MeshSystem::MeshSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& held) : offsets_(1, 0)
+MeshSystem::MeshSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& held) : lattices_(lattices), offsets_(1, 0)
 {
     CV_Assert(held.size() == lattices.size());
     for (size_t i = 0; i < lattices.size(); ++i)
@@ -30,7 +32,11 @@ MeshSystem::~MeshSystem() = default;
 
 void MeshSystem::setZero()
 {
-    ties_.clear();
+    for (Tie& tie : ties_)
+    {
+        tie.matrix.setZero();
+        tie.used = false;
+    }
     for (auto& matrix : matrices_)
         if (matrix)
             matrix->setZero();
@@ -75,17 +81,27 @@ void MeshSystem::addPartner(QuadId a, QuadId b, const PartnerBlock& block)
 
 void MeshSystem::tie(QuadId a, QuadId b, const QuadBlock& block)
 {
-    // The two rows of a point come one after the other: one tie for both.
-    const bool same = !ties_.empty() && ties_.back().a.image == a.image && ties_.back().a.cell == a.cell &&
-                      ties_.back().b.image == b.image && ties_.back().b.cell == b.cell;
-    if (!same)
+    auto found = std::find_if(ties_.begin(), ties_.end(), [&](const Tie& t) { return t.a == a.image && t.b == b.image; });
+    if (found == ties_.end())
+        found = ties_.insert(ties_.end(), {a.image, b.image, CrossMatrix(lattices_[a.image], lattices_[b.image]), true});
+    found->matrix.add(a.cell, b.cell, block);
+    found->used = true;
+}
+
+bool MeshSystem::tied() const
+{
+    return std::any_of(ties_.begin(), ties_.end(), [](const Tie& t) { return t.used; });
+}
+
+template <typename Work>
+void MeshSystem::forEachMoving(Work work) const
+{
+    parallel_for_(Range(0, static_cast<int>(matrices_.size())), [&](const Range& range)
     {
-        ties_.push_back({a, b, block});
-        return;
-    }
-    for (int i = 0; i < 8; ++i)
-        for (int j = 0; j < 8; ++j)
-            ties_.back().block[i][j] += block[i][j];
+        for (int image = range.start; image < range.end; ++image)
+            if (matrices_[image])
+                work(image);
+    });
 }
 
 void MeshSystem::addDamping(double weight)
@@ -97,37 +113,21 @@ void MeshSystem::addDamping(double weight)
 
 void MeshSystem::multiply(const Eigen::VectorXd& in, Eigen::VectorXd& out) const
 {
-    out.setZero();
-    for (size_t i = 0; i < matrices_.size(); ++i)
-        if (matrices_[i])
-            matrices_[i]->multiply(in.segment(offsets_[i], matrices_[i]->size()),
-                                   out.segment(offsets_[i], matrices_[i]->size()));
-    for (const Tie& tie : ties_)
+    // By the image that receives: no two threads write to one place, and each sum keeps its order.
+    forEachMoving([&](int image)
     {
-        int rows[8];
-        int cols[8];
-        double x[8];
-        double sum[8] = {};
-        for (int k = 0; k < 8; ++k)
+        const auto part = [this](int i, auto& vector) { return vector.segment(offsets_[i], offsets_[i + 1] - offsets_[i]); };
+        auto mine = part(image, out);
+        mine.setZero();
+        matrices_[image]->multiply(part(image, in), mine);
+        for (const Tie& tie : ties_)
         {
-            rows[k] = offsets_[tie.a.image] + matrices_[tie.a.image]->column(tie.a.cell, k);
-            cols[k] = offsets_[tie.b.image] + matrices_[tie.b.image]->column(tie.b.cell, k);
-            x[k] = in[cols[k]];
+            if (tie.a == image)
+                tie.matrix.multiply(part(tie.b, in), mine);
+            if (tie.b == image)
+                tie.matrix.multiplyTransposed(part(tie.a, in), mine);
         }
-        for (int i = 0; i < 8; ++i)
-        {
-            const double y = in[rows[i]];
-            double dot = 0;
-            for (int j = 0; j < 8; ++j)
-            {
-                dot += tie.block[i][j] * x[j];
-                sum[j] += tie.block[i][j] * y;
-            }
-            out[rows[i]] += dot;
-        }
-        for (int k = 0; k < 8; ++k)
-            out[cols[k]] += sum[k];
-    }
+    });
 }
 
 SolveStatus MeshSystem::solve(MeshStep& step)
@@ -135,22 +135,20 @@ SolveStatus MeshSystem::solve(MeshStep& step)
     const auto solveEach = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out)
     {
         out = in;
-        for (size_t i = 0; i < matrices_.size(); ++i)
-            if (matrices_[i])
-                matrices_[i]->solve(out.segment(offsets_[i], matrices_[i]->size()));
+        forEachMoving([&](int image) { matrices_[image]->solve(out.segment(offsets_[image], matrices_[image]->size())); });
     };
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(offsets_.back());
-    for (size_t i = 0; i < matrices_.size(); ++i)
+    std::vector<char> factorized(matrices_.size(), 1);
+    forEachMoving([&](int image)
     {
-        if (!matrices_[i])
-            continue;
-        if (!matrices_[i]->factorize())
-            return SolveStatus::NotPositiveDefinite;
-        matrices_[i]->subtractGradient(rhs.segment(offsets_[i], matrices_[i]->size()));
-    }
+        factorized[image] = matrices_[image]->factorize() ? 1 : 0;
+        matrices_[image]->subtractGradient(rhs.segment(offsets_[image], matrices_[image]->size()));
+    });
+    if (std::find(factorized.begin(), factorized.end(), 0) != factorized.end())
+        return SolveStatus::NotPositiveDefinite;
     Eigen::VectorXd x = Eigen::VectorXd::Zero(rhs.size());
     SolveStatus status = SolveStatus::Solved;
-    if (ties_.empty())
+    if (!tied())
         solveEach(rhs, x);
     else
         status = conjugateGradient(

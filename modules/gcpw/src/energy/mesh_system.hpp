@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 #include "energy/conjugate_gradient.hpp"
+#include "energy/cross_matrix.hpp"
 #include "energy/residual_sink.hpp"
 #include "geometry/lattice.hpp"
 
@@ -48,16 +49,23 @@ public:
     SolveStatus solve(MeshStep& step);
 
 private:
+    /// What ties two images that both move.
     struct Tie
     {
-        QuadId a;
-        QuadId b;
-        QuadBlock block; ///< rows of a, columns of b
+        int a; ///< image of the rows
+        int b; ///< image of the columns
+        CrossMatrix matrix;
+        bool used; ///< anything was added since setZero()
     };
     bool held(QuadId quad) const { return !matrices_[quad.image]; }
     void tie(QuadId a, QuadId b, const QuadBlock& block);
+    bool tied() const;
     void multiply(const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
+    /// Calls work(image) for every image that moves, several at a time.
+    template <typename Work>
+    void forEachMoving(Work work) const;
 
+    std::vector<Lattice> lattices_;
     std::vector<std::unique_ptr<QuadMatrix>> matrices_; ///< null where held
     std::vector<int> offsets_;                          ///< first column of every image, and one past the last
     std::vector<Tie> ties_;

@@ -3,6 +3,7 @@
 
 #include "energy/joint_system.hpp"
 #include "imaging/photograph.hpp"
+#include "pipeline/color_rest.hpp"
 #include "pipeline/image_graph.hpp"
 #include "pipeline/level_terms.hpp"
 #include "pipeline/result.hpp"
@@ -44,22 +45,7 @@ Problem standingProblem(const std::vector<Point>& corners, const std::vector<Mat
     return problem;
 }
 
-/// E_r of eq. initialfunction: quads without samples stay as they are.
-void setRest(const LevelTerms& terms, const std::vector<ImageState>& states, double weight, ColorSystem& colors)
-{
-    std::vector<std::vector<int>> inside;
-    for (const ImageState& state : states)
-        inside.emplace_back(state.mesh.lattice().cellCount(), 0);
-    for (const PhotometricTerm& term : terms.pixels())
-        term.countInside(states, inside[term.sourceImage()], inside[term.targetImage()]);
-    colors.clearPulls();
-    for (size_t i = 0; i < states.size(); ++i)
-        for (size_t cell = 0; cell < inside[i].size(); ++cell)
-            if (inside[i][cell] == 0)
-                colors.addPull({static_cast<int>(i), static_cast<int>(cell)}, weight);
-}
-
-void solveLevel(const LevelTerms& terms, JointSystem& system, std::vector<ImageState>& states)
+void solveLevel(LevelTerms& terms, JointSystem& system, std::vector<ImageState>& states)
 {
     for (int pass = 0; pass < PASSES; ++pass)
     {
@@ -101,10 +87,11 @@ std::vector<Mat> estimateColors(const std::vector<Point>& corners, const std::ve
         for (size_t i = 0; i < lattices.size(); ++i)
             addColorSmoothness(static_cast<int>(i), lattices[i], params.colorSmoothnessWeight, system.colors());
         LevelTerms terms(problem, recipe, params);
+        ColorRest rest(problem, params.colorRestWeight, params.exposureWeight);
         for (size_t level = levels; level-- > 0;)
         {
             terms.enterLevel(static_cast<int>(level));
-            setRest(terms, states, params.colorRestWeight, system.colors());
+            rest.pull(terms.pixels(), states, system.colors());
             solveLevel(terms, system, states);
         }
     }

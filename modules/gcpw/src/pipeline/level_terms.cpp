@@ -1,7 +1,10 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "pipeline/level_terms.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
+#include <opencv2/core/utility.hpp>
 
 namespace cv
 {
@@ -13,6 +16,7 @@ namespace
 
 /// Residuals of Params::robustScale are in local standard deviations; w_q r^2 is 0.01 times their square.
 const double DEVIATION = 0.1;
+const int SHARE_ROWS = 8; ///< rows of quads that one thread pours at a time; sets the order of the sums
 
 RobustLoss lossOf(double scale)
 {
@@ -34,6 +38,13 @@ LevelTerms::LevelTerms(const Problem& problem, const Recipe& recipe, const Param
             lines_.emplace_back(pair.a, pair.b, a, b, pair.matches.lines, params.lineStep, params.geometricWeight,
                                 pair.shift_b);
     }
+    for (size_t i = 0; problem.images.size() > 2 && params.restWeight > 0 && i < problem.images.size(); ++i)
+    {
+        std::vector<int> cells(problem.images[i].rough.lattice().cellCount());
+        std::iota(cells.begin(), cells.end(), 0);
+        if (!problem.images[i].held)
+            rests_.emplace_back(static_cast<int>(i), problem.images[i].rough, cells, params.restWeight);
+    }
     setMatchScale(params.matchScale);
 }
 
@@ -53,6 +64,14 @@ void LevelTerms::enterLevel(int level)
         pixels_.emplace_back(pair.a, pair.b, a, problem_.images[pair.b].pyramid[level],
                              problem_.images[pair.a].rough.lattice(), options, pair.shift_b);
     }
+    shares_.clear();
+    for (size_t k = 0; k < pixels_.size(); ++k)
+    {
+        const Lattice& lattice = problem_.images[pixels_[k].sourceImage()].rough.lattice();
+        for (int row = 0; row < lattice.rows(); row += SHARE_ROWS)
+            shares_.push_back({k, Range(row * lattice.cols(), std::min(row + SHARE_ROWS, lattice.rows()) * lattice.cols()),
+                               BlockBuffer(), 0});
+    }
     // Misaligned regions look like outliers: coarse levels, which are to move them, judge more mildly.
     pixel_loss_ = lossOf(DEVIATION * params_.robustScale * scale_);
 }
@@ -68,7 +87,26 @@ void LevelTerms::anchor(size_t pixel_term, const MeshGrid& mesh, const std::vect
     anchors_.emplace_back(pixels_[pixel_term].sourceImage(), mesh, cells, params_.anchorWeight);
 }
 
-void LevelTerms::pour(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies) const
+void LevelTerms::pourPixels(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies)
+{
+    parallel_for_(Range(0, static_cast<int>(shares_.size())), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; ++i)
+        {
+            Share& share = shares_[i];
+            const PhotometricTerm& term = pixels_[share.term];
+            share.blocks.clear();
+            share.energy = term.linearize(states, !problem_.images[term.targetImage()].held, pixel_loss_, share.cells, share.blocks);
+        }
+    });
+    for (const Share& share : shares_)
+    {
+        energies.photometric += share.energy;
+        share.blocks.pourInto(sink);
+    }
+}
+
+void LevelTerms::pour(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies)
 {
     for (size_t k = 0; k < problem_.pairs.size(); ++k)
     {
@@ -78,10 +116,10 @@ void LevelTerms::pour(const std::vector<ImageState>& states, ResidualSink& sink,
             energies.points += points_[k].linearize(a, b, match_loss_, sink);
         if (!lines_.empty())
             energies.lines += lines_[k].linearize(a, b, match_loss_, sink);
-        if (!pixels_.empty())
-            energies.photometric +=
-                pixels_[k].linearize(states, !problem_.images[problem_.pairs[k].b].held, pixel_loss_, sink);
     }
+    pourPixels(states, sink, energies);
+    for (const AnchorTerm& rest : rests_)
+        energies.anchors += rest.linearize(states[rest.image()].mesh, sink);
     for (const AnchorTerm& anchor : anchors_)
         energies.anchors += anchor.linearize(states[anchor.image()].mesh, sink);
 }

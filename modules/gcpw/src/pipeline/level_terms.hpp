@@ -3,6 +3,7 @@
 #define OPENCV_GCPW_LEVEL_TERMS_HPP
 
 #include <vector>
+#include "energy/block_buffer.hpp"
 #include "opencv2/gcpw/alignment.hpp"
 #include "pipeline/problem.hpp"
 #include "pipeline/recipe.hpp"
@@ -38,10 +39,20 @@ public:
     /// Quads of an image that follow `anchor` from now on; their samples no longer move the mesh.
     void anchor(size_t pixel_term, const MeshGrid& mesh, const std::vector<int>& cells);
 
-    /// Pours all terms and adds their energies.
-    void pour(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies) const;
+    /// Pours all terms and adds their energies. Threads share the work; the sums do not depend on how many.
+    void pour(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies);
 
 private:
+    /// A part of a photometric term that one thread pours.
+    struct Share
+    {
+        size_t term;
+        Range cells;
+        BlockBuffer blocks;
+        double energy;
+    };
+    void pourPixels(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies);
+
     const Problem& problem_;
     Recipe recipe_;
     Params params_;
@@ -52,6 +63,8 @@ private:
     std::vector<LineTerm> lines_;
     std::vector<PhotometricTerm> pixels_;
     std::vector<AnchorTerm> anchors_;
+    std::vector<AnchorTerm> rests_; ///< where more than one step leads to the image that is held
+    std::vector<Share> shares_;
 };
 
 } // namespace gcpw

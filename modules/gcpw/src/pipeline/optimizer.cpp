@@ -54,7 +54,8 @@ std::vector<ColorGrid> colorsOf(const std::vector<ImageState>& states)
 
 Optimizer::Optimizer(const Problem& problem, const Recipe& recipe, const Params& params)
     : problem_(problem), recipe_(recipe), params_(params),
-      system_(latticesOf(problem), heldOf(problem, false), heldOf(problem, !recipe.colors))
+      system_(latticesOf(problem), heldOf(problem, false), heldOf(problem, !recipe.colors)),
+      color_rest_(problem, params.colorRestWeight, params.exposureWeight)
 {
     for (size_t i = 0; i < problem.images.size(); ++i)
     {
@@ -65,7 +66,7 @@ Optimizer::Optimizer(const Problem& problem, const Recipe& recipe, const Params&
     }
 }
 
-TermEnergies Optimizer::pour(const LevelTerms& terms, const std::vector<ImageState>& states)
+TermEnergies Optimizer::pour(LevelTerms& terms, const std::vector<ImageState>& states)
 {
     system_.setZero();
     system_.addDamping(DAMPING);
@@ -119,7 +120,7 @@ bool Optimizer::tick()
     return !progress_ || progress_(std::min(1.0, static_cast<double>(ticks_++) / expected_ticks_));
 }
 
-Optimizer::LevelEnd Optimizer::runLevel(const LevelTerms& terms, std::vector<ImageState>& states, int max_iterations,
+Optimizer::LevelEnd Optimizer::runLevel(LevelTerms& terms, std::vector<ImageState>& states, int max_iterations,
                                         LevelReport& report)
 {
     report = LevelReport();
@@ -184,22 +185,6 @@ Optimizer::LevelEnd Optimizer::fitMatches(LevelTerms& terms, std::vector<ImageSt
     return runLevel(terms, states, recipe_.pixels ? std::min(MATCH_ITERATIONS, params_.maxIterations) : params_.maxIterations, report);
 }
 
-void Optimizer::setColorRest(const LevelTerms& terms, const std::vector<ImageState>& states)
-{
-    // E_r of eq. initialfunction holds the quads without samples; where they are changes with the meshes.
-    std::vector<std::vector<int>> inside;
-    inside.reserve(states.size());
-    for (const ImageState& state : states)
-        inside.emplace_back(state.mesh.lattice().cellCount(), 0);
-    for (const PhotometricTerm& term : terms.pixels())
-        term.countInside(states, inside[term.sourceImage()], inside[term.targetImage()]);
-    system_.colors().clearPulls();
-    for (size_t i = 0; i < states.size(); ++i)
-        for (size_t cell = 0; cell < inside[i].size(); ++cell)
-            if (inside[i][cell] == 0)
-                system_.colors().addPull({static_cast<int>(i), static_cast<int>(cell)}, params_.colorRestWeight);
-}
-
 bool Optimizer::anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states,
                             const std::vector<ImageState>& start)
 {
@@ -235,7 +220,7 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
         terms.enterLevel(static_cast<int>(level));
         if (recipe_.colors)
         {
-            setColorRest(terms, states);
+            color_rest_.pull(terms.pixels(), states, system_.colors());
             std::vector<ColorGrid> colors = colorsOf(states);
             pour(terms, states);
             system_.solveColors(colors);

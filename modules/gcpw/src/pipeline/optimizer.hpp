@@ -6,6 +6,7 @@
 #include <vector>
 #include "energy/joint_system.hpp"
 #include "opencv2/gcpw/alignment.hpp"
+#include "pipeline/color_rest.hpp"
 #include "pipeline/fold_guard.hpp"
 #include "pipeline/level_terms.hpp"
 #include "terms/similarity_term.hpp"
@@ -52,19 +53,19 @@ private:
 
     LevelEnd fitMatches(LevelTerms& terms, std::vector<ImageState>& states, LevelReport& report);
     OptimizeStatus runPyramid(LevelTerms& terms, std::vector<ImageState>& states, std::vector<LevelReport>& report);
-    LevelEnd runLevel(const LevelTerms& terms, std::vector<ImageState>& states, int max_iterations, LevelReport& report);
+    LevelEnd runLevel(LevelTerms& terms, std::vector<ImageState>& states, int max_iterations, LevelReport& report);
     bool anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states, const std::vector<ImageState>& start);
 
-    TermEnergies pour(const LevelTerms& terms, const std::vector<ImageState>& states);
+    TermEnergies pour(LevelTerms& terms, const std::vector<ImageState>& states);
     SolveStatus safeStep(const std::vector<ImageState>& states, MeshStep& step);
     double similarityEnergy(const std::vector<ImageState>& states) const;
-    void setColorRest(const LevelTerms& terms, const std::vector<ImageState>& states);
     bool tick();
 
     const Problem& problem_;
     Recipe recipe_;
     Params params_;
     JointSystem system_;
+    ColorRest color_rest_;
     std::vector<SimilarityTerm> similarity_;
     std::vector<FoldGuard> guards_;
     StepCallback progress_;

@@ -49,6 +49,8 @@ const Field FIELDS[] = {
     {"gainSupport", nullptr, &Params::gainSupport, 0, INF, true},
     {"anchorWeight", nullptr, &Params::anchorWeight, 0, INF, true},
     {"revertRatio", nullptr, &Params::revertRatio, 1, INF, true},
+    {"restWeight", nullptr, &Params::restWeight, 0, INF, true},
+    {"exposureWeight", nullptr, &Params::exposureWeight, 0, INF, true},
     {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
     {"contrastThreshold", nullptr, &Params::contrastThreshold, 0, 1, false},
     {"matchRatio", nullptr, &Params::matchRatio, 0, 1, false},

@@ -35,7 +35,7 @@ Mat importanceOf(const PyramidLevel& level, double floor)
 }
 
 /// Running moments of two intensities.
-struct Moments
+struct LumaMoments
 {
     double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
 
@@ -49,6 +49,15 @@ struct Moments
         ab += p * q;
     }
 };
+
+void toValues(const ColorGrid::Quad& color, double (&values)[3][2])
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        values[c][0] = color[c].gain;
+        values[c][1] = color[c].bias;
+    }
+}
 
 } // namespace
 
@@ -98,9 +107,19 @@ class PhotometricTerm::Target
 public:
     /// @param want_cell whether point() and the colour of its quad are needed
     Target(const ImageState& state, Point2d shift, bool want_cell)
-        : state_(state), shift_(shift), at_rest_(state.mesh.isTranslation(origin_)), want_cell_(want_cell || !state.color.isIdentity())
+        : state_(state), shift_(shift), at_rest_(state.mesh.isTranslation(origin_)),
+          want_cell_(want_cell || !state.color.isIdentity()), bounds_(state.mesh.bounds())
     {
         point_.cell = 0;
+        bounds_ += shift;
+    }
+
+    /// Whether a quad of the source can meet the target at all.
+    bool near(const Point2d (&corner)[4]) const
+    {
+        const auto x = std::minmax({corner[0].x, corner[1].x, corner[2].x, corner[3].x});
+        const auto y = std::minmax({corner[0].y, corner[1].y, corner[2].y, corner[3].y});
+        return x.second >= bounds_.x && x.first <= bounds_.br().x && y.second >= bounds_.y && y.first <= bounds_.br().y;
     }
 
     bool find(Point2d canvas)
@@ -114,7 +133,8 @@ public:
                 point_ = state_.mesh.lattice().locate(rest_);
             return true;
         }
-        if (!state_.mesh.invert(canvas - shift_, hint_, point_))
+        // A walk that ends beside the mesh is slow, and pixels beyond the box are many.
+        if (!bounds_.contains(canvas) || !state_.mesh.invert(canvas - shift_, hint_, point_))
             return false;
         rest_ = state_.mesh.lattice().restPoint(point_);
         inverse_ = state_.mesh.jacobian(point_).inv();
@@ -142,6 +162,7 @@ private:
     Point2d origin_;
     bool at_rest_;
     bool want_cell_;
+    Rect2d bounds_; ///< of the target's mesh on the canvas
     int hint_ = -1;
     Point2d rest_;
     CellPoint point_;
@@ -154,6 +175,8 @@ void PhotometricTerm::forEachInside(const std::vector<ImageState>& images, int c
     const MeshGrid& mesh = images[source_image_].mesh;
     const ColorGrid::Quad& mine = images[source_image_].color.quad(cell);
     const Point2d corner[4] = {mesh.vertex(cell, 0), mesh.vertex(cell, 1), mesh.vertex(cell, 2), mesh.vertex(cell, 3)};
+    if (!target.near(corner))
+        return;
     PixelSample pixel;
     double residual[3];
     for (int i = first_[cell]; i < first_[cell + 1]; ++i)
@@ -179,12 +202,12 @@ void PhotometricTerm::forEachInside(const std::vector<ImageState>& images, int c
 }
 
 double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
-                                  ResidualSink& sink) const
+                                  Range cells, ResidualSink& sink) const
 {
     double total = 0;
     Target target(images[target_image_], target_shift_, target_moves);
     std::vector<std::pair<int, PartnerSums>> partners; // target cell, sums; a handful at most
-    for (int cell = 0; cell < lattice_.cellCount(); ++cell)
+    for (int cell = cells.start; cell < cells.end; ++cell)
     {
         SampleSums sums;
         partners.clear();
@@ -216,11 +239,20 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
             continue;
         ColoredBlock block = sums.block(options_.weight);
         block.energy = options_.weight * energy;
+        std::vector<PartnerBlock> others;
+        for (const std::pair<int, PartnerSums>& partner : partners)
+            others.push_back(partner.second.block(options_.weight));
         if (options_.gain_support > 0)
         {
-            const ColorGrid::Quad& color = images[source_image_].color.quad(cell);
-            const double now[3][2] = {{color[0].gain, color[0].bias}, {color[1].gain, color[1].bias}, {color[2].gain, color[2].bias}};
-            sums.judgeColors(now, options_.weight, options_.gain_support, block);
+            double now[3][2];
+            toValues(images[source_image_].color.quad(cell), now);
+            const double trust = sums.judgeColors(now, options_.weight, target_moves ? 0 : options_.gain_support, block);
+            for (size_t i = 0; i < partners.size(); ++i)
+            {
+                double now_other[3][2];
+                toValues(images[target_image_].color.quad(partners[i].first), now_other);
+                partners[i].second.judgeColors(now, now_other, options_.weight, trust, block, others[i]);
+            }
         }
         total += block.energy;
         if (frozen_[cell])
@@ -230,15 +262,15 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
             block.mesh_color = {};
         }
         sink.addColored({source_image_, cell}, block);
-        for (const std::pair<int, PartnerSums>& partner : partners)
+        for (size_t i = 0; i < partners.size(); ++i)
         {
-            PartnerBlock other = partner.second.block(options_.weight);
+            PartnerBlock& other = others[i];
             if (frozen_[cell])
             {
                 other.cross = other.mesh_mesh = QuadBlock{};
                 other.mesh_gradient = QuadRow{};
             }
-            sink.addPartner({source_image_, cell}, {target_image_, partner.first}, other);
+            sink.addPartner({source_image_, cell}, {target_image_, partners[i].first}, other);
         }
     }
     return total;
@@ -250,14 +282,14 @@ std::vector<PhotometricTerm::QuadMiss> PhotometricTerm::correlate(const std::vec
     Target target(images[target_image_], target_shift_, false);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
-        Moments quarters[4];
+        LumaMoments quarters[4];
         forEachInside(images, cell, target, [&](const Sample& sample, const PixelSample& pixel, const double*, double)
         {
             const bool right = sample.weight[1] + sample.weight[3] > 0.5F;
             const bool bottom = sample.weight[2] + sample.weight[3] > 0.5F;
             quarters[(right ? 1 : 0) + (bottom ? 2 : 0)].add(sample.value[0], pixel.value[0]);
         });
-        for (const Moments& m : quarters)
+        for (const LumaMoments& m : quarters)
         {
             if (m.n < MIN_WINDOW_SAMPLES)
                 continue;
@@ -271,6 +303,33 @@ std::vector<PhotometricTerm::QuadMiss> PhotometricTerm::correlate(const std::vec
         }
     }
     return misses;
+}
+
+PhotometricTerm::Moments PhotometricTerm::moments(const std::vector<ImageState>& images) const
+{
+    Moments result;
+    Target target(images[target_image_], target_shift_, false);
+    for (int cell = 0; cell < lattice_.cellCount(); ++cell)
+        forEachInside(images, cell, target, [&](const Sample& sample, const PixelSample& pixel, const double*, double)
+        {
+            ++result.samples;
+            for (int c = 0; c < 3; ++c)
+            {
+                result.source_mean[c] += sample.value[c];
+                result.target_mean[c] += pixel.value[c];
+                result.source_variance[c] += sample.value[c] * sample.value[c];
+                result.target_variance[c] += pixel.value[c] * pixel.value[c];
+            }
+        });
+    const double n = std::max(result.samples, 1);
+    for (int c = 0; c < 3; ++c)
+    {
+        result.source_mean[c] /= n;
+        result.target_mean[c] /= n;
+        result.source_variance[c] = std::max(result.source_variance[c] / n - result.source_mean[c] * result.source_mean[c], 0.0);
+        result.target_variance[c] = std::max(result.target_variance[c] / n - result.target_mean[c] * result.target_mean[c], 0.0);
+    }
+    return result;
 }
 
 void PhotometricTerm::freeze(const std::vector<int>& cells)

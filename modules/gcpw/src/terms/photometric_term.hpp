@@ -49,9 +49,16 @@ public:
     int targetImage() const { return target_image_; }
 
     /** @brief Pours one ColoredBlock per quad with samples and, if the target moves, its PartnerBlocks.
+    @param cells quads of the source to pour; several threads may share a term
     @return the robust energy */
-    double linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
+    double linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss, Range cells,
                      ResidualSink& sink) const;
+    /// All quads.
+    double linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
+                     ResidualSink& sink) const
+    {
+        return linearize(images, target_moves, loss, Range(0, lattice_.cellCount()), sink);
+    }
 
     /// How little the two images correlate in a quad.
     struct QuadMiss
@@ -60,6 +67,17 @@ public:
         int samples = 0;
     };
     std::vector<QuadMiss> correlate(const std::vector<ImageState>& images) const;
+
+    /// What the two images show of their overlap, before any correction.
+    struct Moments
+    {
+        int samples = 0;
+        double source_mean[3] = {};
+        double target_mean[3] = {};
+        double source_variance[3] = {};
+        double target_variance[3] = {};
+    };
+    Moments moments(const std::vector<ImageState>& images) const;
 
     /// Quads whose samples may no longer move a mesh; they go on informing the colours.
     void freeze(const std::vector<int>& cells);

@@ -132,10 +132,10 @@ SampleSums::Likeness SampleSums::likeness(int channel, double gain) const
     return result;
 }
 
-void SampleSums::judgeColors(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const
+double SampleSums::judgeColors(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const
 {
     if (!(color_[0][2] > 0))
-        return;
+        return 1;
     for (int c = 0; c < 3; ++c)
     {
         const Likeness like = likeness(c, now[c][0]);
@@ -150,7 +150,7 @@ void SampleSums::judgeColors(const double (&now)[3][2], double weight, double su
     }
     const Likeness luma = likeness(0, now[0][0]);
     if (luma.variance < TEXTURE_VARIANCE || luma.target_variance < TEXTURE_VARIANCE)
-        return; // a flat quad has no texture to compare, but its mean is worth as much as any
+        return 1; // a flat quad has no texture to compare, but its mean is worth as much as any
     const double correlation = std::max(luma.correlation, 0.0);
     const double trust = std::max(correlation * correlation, MIN_TRUST);
     for (auto& row : block.mesh_color)
@@ -163,6 +163,7 @@ void SampleSums::judgeColors(const double (&now)[3][2], double weight, double su
         for (double& value : block.color_gradient[c])
             value *= trust;
     }
+    return trust;
 }
 
 void PartnerSums::add(const float* corner_weight, const double* partner_weight, const LinearSample& s)
@@ -176,8 +177,8 @@ void PartnerSums::add(const float* corner_weight, const double* partner_weight, 
         ry += s.gy[c] * s.residual[c];
         const double i = s.mine[c];
         const double j = s.theirs[c];
-        const double values[9] = {i * j, i, j, 1, j * j, j, 1, j * s.residual[c], s.residual[c]};
-        for (int n = 0; n < 9; ++n)
+        const double values[8] = {i * j, i, j, 1, j * j, j * s.residual[c], s.residual[c], i * i};
+        for (int n = 0; n < 8; ++n)
             color_[c][n] += s.weight * values[n];
     }
     int pair = 0;
@@ -225,12 +226,34 @@ PartnerBlock PartnerSums::block(double weight) const
     {
         for (int j = 0; j < 4; ++j)
             block.color_cross[c][j] = -weight * color_[c][j];
-        for (int j = 0; j < 3; ++j)
-            block.color_color[c][j] = weight * color_[c][4 + j];
+        block.color_color[c] = {{weight * color_[c][4], weight * color_[c][2], weight * color_[c][3]}};
         for (int j = 0; j < 2; ++j)
-            block.color_gradient[c][j] = -weight * color_[c][7 + j];
+            block.color_gradient[c][j] = -weight * color_[c][5 + j];
     }
     return block;
+}
+
+void PartnerSums::judgeColors(const double (&now)[3][2], const double (&now_other)[3][2], double weight, double trust,
+                              ColoredBlock& own, PartnerBlock& other) const
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        const double* s = color_[c];
+        const double variance = std::max(s[7] - s[1] * s[1] / s[3], 0.0);
+        const double other_variance = std::max(s[4] - s[2] * s[2] / s[3], 0.0);
+        const double missing = weight * (s[1] * s[2] / s[3] + std::sqrt(variance * other_variance) - s[0]);
+        other.color_cross[c][0] -= missing;
+        other.color_gradient[c][0] -= missing * now[c][0];
+        // The own side of these samples has been trusted already.
+        own.color_gradient[c][0] -= trust * missing * now_other[c][0];
+        own.energy -= 2 * missing * now[c][0] * now_other[c][0];
+        for (double& value : other.color_cross[c])
+            value *= trust;
+        for (double& value : other.color_color[c])
+            value *= trust;
+        for (double& value : other.color_gradient[c])
+            value *= trust;
+    }
 }
 
 } // namespace gcpw

@@ -44,8 +44,10 @@ public:
 
     and all the quad says of its colour counts by max(rho_Y, 0)^2, so that its neighbours decide.
     @param now gain, bias per channel at which the samples were taken
-    @param block of these samples; receives the energy E_v */
-    void judgeColors(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const;
+    @param support 0 leaves out E_v
+    @param block of these samples; receives the energy E_v
+    @return the factor on what is said of colour */
+    double judgeColors(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const;
 
 private:
     double curvature_[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
@@ -69,11 +71,21 @@ public:
     void add(const float* corner_weight, const double* partner_weight, const LinearSample& s);
     PartnerBlock block(double weight) const;
 
+    /** @brief The same where the target's colour is unknown too.
+
+    There least squares has a way out of every misalignment: to take contrast from both images. So these samples compare
+    means and contrasts, n ((G m + B - G' m' - B')^2 + (G sd(I) - G' sd(I'))^2), which is least squares of samples that
+    correlate fully: the covariance is replaced by sd(I) sd(I').
+    @param trust factor on what is said of colour, SampleSums::judgeColors()
+    @param own, other of these samples; both change */
+    void judgeColors(const double (&now)[3][2], const double (&now_other)[3][2], double weight, double trust,
+                     ColoredBlock& own, PartnerBlock& other) const;
+
 private:
     double cross_[4][4][3] = {};   ///< sum w_k w'_m (xx, xy, yy)
     double curvature_[10][3] = {}; ///< sum w'_k w'_m (xx, xy, yy)
     double slope_[4][2] = {};      ///< sum w'_k (gx r, gy r)
-    double color_[3][9] = {};      ///< per channel: I I', I, I', 1, I' I', I', 1, I' r, r
+    double color_[3][8] = {};      ///< per channel: I I', I, I', 1, I' I', I' r, r, I I
 };
 
 } // namespace gcpw

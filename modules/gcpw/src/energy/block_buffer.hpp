@@ -1,0 +1,70 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_BLOCK_BUFFER_HPP
+#define OPENCV_GCPW_BLOCK_BUFFER_HPP
+
+#include <vector>
+#include <opencv2/core.hpp>
+#include "energy/residual_sink.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief Keeps the colour-carrying blocks poured into it, to be poured on later.
+
+Several threads fill a buffer each; poured on in a fixed order, the sums are the same bits for any number of threads. */
+class BlockBuffer : public ResidualSink
+{
+public:
+    struct Colored
+    {
+        QuadId quad;
+        ColoredBlock block;
+    };
+    struct Partner
+    {
+        QuadId a;
+        QuadId b;
+        PartnerBlock block;
+    };
+
+    /// Keeps its memory.
+    void clear()
+    {
+        colored_.clear();
+        partners_.clear();
+    }
+
+    void addColored(QuadId quad, const ColoredBlock& block) override { colored_.push_back({quad, block}); }
+    void addPartner(QuadId a, QuadId b, const PartnerBlock& block) override { partners_.push_back({a, b, block}); }
+    void addRow(QuadId, const QuadRow&, double, double) override { CV_DbgAssert(!"photometric terms pour no rows"); }
+    void addRow(QuadId, const QuadRow&, QuadId, const QuadRow&, double, double) override
+    {
+        CV_DbgAssert(!"photometric terms pour no rows");
+    }
+    void addBlock(QuadId, const QuadBlock&, const QuadRow&, double) override
+    {
+        CV_DbgAssert(!"photometric terms pour no colourless blocks");
+    }
+
+    const std::vector<Colored>& colored() const { return colored_; }
+    const std::vector<Partner>& partners() const { return partners_; }
+
+    void pourInto(ResidualSink& sink) const
+    {
+        for (const Colored& item : colored_)
+            sink.addColored(item.quad, item.block);
+        for (const Partner& item : partners_)
+            sink.addPartner(item.a, item.b, item.block);
+    }
+
+private:
+    std::vector<Colored> colored_;
+    std::vector<Partner> partners_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,48 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_COLOR_REST_HPP
+#define OPENCV_GCPW_COLOR_REST_HPP
+
+#include <vector>
+#include "energy/color_system.hpp"
+#include "pipeline/problem.hpp"
+#include "terms/photometric_term.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief One gain and bias per channel for each image as a whole, so that overlaps agree in mean and contrast.
+
+Moments of whole overlaps hardly depend on how well they line up, so these are known before any pixel is aligned. Of all
+that fit equally well the one of mean log gain 0 and mean bias 0 is chosen; images that are held keep (1, 0). */
+std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm>& terms,
+                                               const std::vector<ImageState>& states, const std::vector<bool>& held);
+
+/** @brief Where colours rest that nothing informs: E_r of eq. initialfunction, and a weaker pull elsewhere.
+
+Two images: quads without samples rest at gain 1, bias 0, as in the paper. More images have no colour that all could be
+compared with, and contrast may drain away along a chain: there all quads rest at their image's exposure. */
+class ColorRest
+{
+public:
+    /// @param rest_weight of a quad without samples  @param exposure_weight of one with samples, three images or more
+    ColorRest(const Problem& problem, double rest_weight, double exposure_weight)
+        : problem_(problem), rest_weight_(rest_weight), exposure_weight_(exposure_weight)
+    {
+    }
+
+    /// Sets the pulls for the present meshes. The exposures are estimated once, at the first call.
+    void pull(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& states, ColorSystem& colors);
+
+private:
+    const Problem& problem_;
+    double rest_weight_;
+    double exposure_weight_;
+    std::vector<ColorGrid::Quad> exposures_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
