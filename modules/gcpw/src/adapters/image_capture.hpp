@@ -5,18 +5,28 @@
 #include <memory>
 #include <vector>
 #include <opencv2/features2d.hpp>
+#include "opencv2/gcpw/aligner.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
 
-/// Hands everything on to another features finder and keeps the images it was shown: cv::Stitcher's, at work scale.
+/// What a features finder was shown and what it found.
+struct Captured
+{
+    std::vector<Mat> images;
+    std::vector<KnownKeypoints> keypoints; ///< empty if they are not SIFT's
+
+    void clear() { *this = Captured(); }
+};
+
+/// Hands everything on to another features finder and keeps what passes by: cv::Stitcher's images at work scale.
 class ImageCapture : public Feature2D
 {
 public:
-    ImageCapture(const Ptr<Feature2D>& finder, const std::shared_ptr<std::vector<Mat>>& images)
-        : finder_(finder), images_(images)
+    ImageCapture(const Ptr<Feature2D>& finder, const std::shared_ptr<Captured>& captured)
+        : finder_(finder), captured_(captured)
     {
     }
 
@@ -39,6 +49,7 @@ public:
                  OutputArrayOfArrays descriptors) override
     {
         finder_->compute(images, keypoints, descriptors);
+        keep(keypoints, descriptors);
     }
     void detectAndCompute(InputArray image, InputArray mask, std::vector<KeyPoint>& keypoints, OutputArray descriptors,
                           bool use_provided) override
@@ -58,14 +69,30 @@ private:
     {
         std::vector<UMat> shown;
         images.getUMatVector(shown);
-        images_->assign(shown.size(), Mat());
+        captured_->clear();
+        captured_->images.resize(shown.size());
         // Copies: a stitcher may work on the caller's own pixels.
         for (size_t i = 0; i < shown.size(); ++i)
-            shown[i].copyTo((*images_)[i]);
+            shown[i].copyTo(captured_->images[i]);
+    }
+
+    void keep(const std::vector<std::vector<KeyPoint>>& keypoints, InputArrayOfArrays descriptor_array)
+    {
+        std::vector<UMat> descriptors;
+        descriptor_array.getUMatVector(descriptors);
+        captured_->keypoints.clear();
+        if (!finder_.dynamicCast<SIFT>() || descriptors.size() != keypoints.size())
+            return;
+        captured_->keypoints.resize(keypoints.size());
+        for (size_t i = 0; i < keypoints.size(); ++i)
+        {
+            KeyPoint::convert(keypoints[i], captured_->keypoints[i].points);
+            descriptors[i].copyTo(captured_->keypoints[i].descriptors);
+        }
     }
 
     Ptr<Feature2D> finder_;
-    std::shared_ptr<std::vector<Mat>> images_;
+    std::shared_ptr<Captured> captured_;
 };
 
 } // namespace gcpw

@@ -46,6 +46,7 @@ struct Canvas
     std::vector<Point> corners;
     std::vector<Mat> images;
     std::vector<Mat> masks;
+    std::vector<KnownKeypoints> keypoints;
     double period = 0;
 };
 
@@ -64,9 +65,11 @@ void checkRoi(Rect roi, Size image, size_t index)
                               roi.height, image.width, image.height)};
 }
 
-Canvas warpAll(const std::vector<Mat>& images, cv::detail::RotationWarper& warper, Rig& rig)
+Canvas warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypoints>& keypoints, cv::detail::RotationWarper& warper,
+               Rig& rig)
 {
     Canvas canvas;
+    canvas.keypoints = keypoints;
     canvas.images.resize(images.size());
     canvas.masks.resize(images.size());
     bool straddles = false;
@@ -88,6 +91,8 @@ Canvas warpAll(const std::vector<Mat>& images, cv::detail::RotationWarper& warpe
         checkRoi(warper.warpRoi(size, K, off_seam), size, i);
         Point corner = warper.warp(images[i], K, off_seam, INTER_LINEAR, BORDER_REFLECT, canvas.images[i]);
         warper.warp(Mat(size, CV_8UC1, Scalar(255)), K, off_seam, INTER_NEAREST, BORDER_CONSTANT, canvas.masks[i]);
+        for (size_t k = 0; !keypoints.empty() && k < keypoints[i].points.size(); ++k)
+            canvas.keypoints[i].points[k] = warper.warpPoint(keypoints[i].points[k], K, off_seam) - Point2f(corner);
         corner.x += cvRound(turn * warper.getScale());
         canvas.corners.push_back(corner);
         rig.turns.push_back(turn);
@@ -137,7 +142,8 @@ Alignment failed(Status status, const std::string& message)
 } // namespace
 
 Rig alignRig(InputArrayOfArrays image_array, const std::vector<cv::detail::CameraParams>& cameras,
-             const Ptr<WarperCreator>& base, const Params& params, const Progress& progress)
+             const Ptr<WarperCreator>& base, const Params& params, const Progress& progress,
+             const std::vector<KnownKeypoints>& keypoints)
 {
     if (!base)
         CV_Error(Error::StsNullPtr, "gcpw: alignRig() needs a base warper");
@@ -146,6 +152,8 @@ Rig alignRig(InputArrayOfArrays image_array, const std::vector<cv::detail::Camer
     image_array.getMatVector(images);
     CV_CheckEQ(images.size(), cameras.size(), "gcpw: alignRig() takes one image for each camera");
     CV_CheckGE(images.size(), size_t(2), "gcpw: alignRig() takes two images or more");
+    if (!keypoints.empty())
+        CV_CheckEQ(images.size(), keypoints.size(), "gcpw: alignRig() takes keypoints for each image, or none");
 
     Rig rig;
     rig.cameras = cameras;
@@ -155,10 +163,10 @@ Rig alignRig(InputArrayOfArrays image_array, const std::vector<cv::detail::Camer
         if (!(rig.scale > 0) || !std::isfinite(rig.scale))
             throw NoAnswer{"the cameras have no focal length"};
         const Ptr<cv::detail::RotationWarper> warper = trueWarper(base->create(rig.scale));
-        const Canvas canvas = warpAll(images, *warper, rig);
+        const Canvas canvas = warpAll(images, keypoints, *warper, rig);
         const Params used = tuned(params, canvas);
         rig.alignment = Aligner::create(used)->align(canvas.corners, canvas.images, canvas.masks,
-                                                     std::vector<Correspondences>(), progress);
+                                                     std::vector<Correspondences>(), progress, canvas.keypoints);
         checkMeshes(rig.alignment);
     }
     catch (const NoAnswer& e)

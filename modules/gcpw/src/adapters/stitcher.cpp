@@ -15,18 +15,20 @@ namespace gcpw
 namespace
 {
 
+const size_t ENOUGH_KEYPOINTS = 1000; ///< in an image: from fewer, a mesh is poorly informed and more are looked for
+
 /// What the session's hook needs; owned by the stitcher through its warper, so it must not own the stitcher.
 class Binding : public StitcherBinding
 {
 public:
     Binding(const Ptr<Stitcher>& stitcher, const Params& params, const Progress& progress)
         : stitcher_(stitcher), params_(params), progress_(progress), session_(std::make_shared<Session>()),
-          shown_(std::make_shared<std::vector<Mat>>())
+          shown_(std::make_shared<Captured>())
     {
     }
 
     std::shared_ptr<Session> session() const { return session_; }
-    std::shared_ptr<std::vector<Mat>> shown() const { return shown_; }
+    std::shared_ptr<Captured> shown() const { return shown_; }
 
     const Rig& rig() const override { return session_->rig; }
     void setRig(const Rig& rig) override { session_->setRig(rig); }
@@ -55,6 +57,7 @@ public:
         }
         const std::vector<int> component = stitcher->component();
         const std::vector<Mat> images = imagesOf(component, stitcher->workScale(), cameras.size());
+        const std::vector<KnownKeypoints> keypoints = keypointsOf(component, cameras.size());
         shown_->clear();
         Rig rig;
         if (images.empty())
@@ -75,7 +78,7 @@ public:
             const auto found = std::find(component.begin(), component.end(), params.referenceImage);
             params.referenceImage = found == component.end() ? -1 : static_cast<int>(found - component.begin());
         }
-        rig = alignRig(images, cameras, session_->base, params, progress_);
+        rig = alignRig(images, cameras, session_->base, params, progress_, keypoints);
         rig.component = component;
         rig.work_scale = stitcher->workScale();
         session_->setRig(rig);
@@ -86,7 +89,7 @@ private:
     std::vector<Mat> imagesOf(const std::vector<int>& component, double work_scale, size_t count) const
     {
         std::vector<Mat> images;
-        const std::vector<Mat>& source = given_.empty() ? *shown_ : given_;
+        const std::vector<Mat>& source = given_.empty() ? shown_->images : given_;
         const bool whole = source.size() == count && source.size() != component.size();
         for (size_t i = 0; i < count; ++i)
         {
@@ -101,11 +104,26 @@ private:
         return images;
     }
 
+    /// What the stitcher's own finder found in them, if that is of use here.
+    std::vector<KnownKeypoints> keypointsOf(const std::vector<int>& component, size_t count) const
+    {
+        std::vector<KnownKeypoints> keypoints;
+        if (!given_.empty() || shown_->keypoints.size() != shown_->images.size() || component.size() != count)
+            return keypoints;
+        for (const int index : component)
+        {
+            if (index >= static_cast<int>(shown_->keypoints.size()) || shown_->keypoints[index].points.size() < ENOUGH_KEYPOINTS)
+                return {};
+            keypoints.push_back(shown_->keypoints[index]);
+        }
+        return keypoints;
+    }
+
     std::weak_ptr<Stitcher> stitcher_;
     Params params_;
     Progress progress_;
     std::shared_ptr<Session> session_;
-    std::shared_ptr<std::vector<Mat>> shown_; ///< to the features finder
+    std::shared_ptr<Captured> shown_; ///< to the features finder
     std::vector<Mat> given_;                  ///< by setImages()
     int estimations_ = 0;
 };

@@ -13,8 +13,8 @@ namespace gcpw
 namespace
 {
 
-const double CG_TOLERANCE = getenv("CGT") ? atof(getenv("CGT")) : 1e-4;
-const int CG_MAX_ITERATIONS = getenv("CGM") ? atoi(getenv("CGM")) : 200;
+const double CG_TOLERANCE = 0.1;  ///< many images: the next Gauss-Newton step corrects what is missing
+const int CG_MAX_ITERATIONS = 200;
 
 } // namespace
 

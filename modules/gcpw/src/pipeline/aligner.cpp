@@ -116,6 +116,43 @@ std::vector<Overlap> overlapsOf(const CanvasImages& canvas, const Problem& probl
     return findOverlaps(corners, masks, cvRound(period));
 }
 
+void checkKeypoints(const std::vector<KnownKeypoints>& keypoints, int images)
+{
+    if (!keypoints.empty())
+        CV_CheckEQ(static_cast<int>(keypoints.size()), images, "gcpw: Aligner::align() takes keypoints for each image, or none");
+    for (const KnownKeypoints& item : keypoints)
+    {
+        CV_CheckEQ(static_cast<int>(item.points.size()), item.descriptors.rows, "gcpw: one descriptor for each keypoint");
+        if (!item.points.empty() && (item.descriptors.cols != 128 || item.descriptors.channels() != 1 ||
+                                     (item.descriptors.depth() != CV_32F && item.descriptors.depth() != CV_8U)))
+            CV_Error(Error::StsBadArg, "gcpw: descriptors are SIFT's: 128 columns of CV_32F or CV_8U");
+    }
+}
+
+Point2d toWork(Point2f p, double scale)
+{
+    return Point2d((p.x + 0.5) * scale - 0.5, (p.y + 0.5) * scale - 0.5);
+}
+
+/// The keypoints that lie inside the mask, in working pixels.
+Keypoints toWork(const KnownKeypoints& known, const Photograph& work, double scale)
+{
+    Keypoints result;
+    Mat descriptors;
+    known.descriptors.convertTo(descriptors, CV_8U);
+    const Rect inside(Point(), work.image.size());
+    for (size_t i = 0; i < known.points.size(); ++i)
+    {
+        const Point2d p = toWork(known.points[i], scale);
+        const Point pixel(cvRound(p.x), cvRound(p.y));
+        if (!inside.contains(pixel) || (!work.mask.empty() && work.mask.at<uchar>(pixel) == 0))
+            continue;
+        result.points.push_back(p);
+        result.descriptors.push_back(descriptors.row(static_cast<int>(i)));
+    }
+    return result;
+}
+
 class AlignerImpl : public Aligner
 {
 public:
@@ -124,7 +161,8 @@ public:
     const Params& params() const override { return params_; }
 
     Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks,
-                    const std::vector<Correspondences>& correspondences, const Progress& progress) override
+                    const std::vector<Correspondences>& correspondences, const Progress& progress,
+                    const std::vector<KnownKeypoints>& keypoints) override
     {
         const int64 start = getTickCount();
         const CanvasImages canvas = gather(corners, images, masks, params_.workMegapix);
@@ -135,6 +173,7 @@ public:
                 if (image < 0 || image >= canvas.count())
                     CV_Error(Error::StsOutOfRange, format("gcpw: correspondences name image %d; there are images 0 to %d", image,
                                                           canvas.count() - 1));
+        checkKeypoints(keypoints, canvas.count());
         Problem problem = roughProblem(canvas, corners, params_);
         const std::vector<Overlap> overlaps = overlapsOf(canvas, problem, params_.canvasPeriod * canvas.scale);
         if (params_.referenceImage != NO_REFERENCE)
@@ -148,7 +187,7 @@ public:
             report.message = "no two images overlap; the rough alignment was kept";
         }
         else
-            cancelled = !matchAll(canvas, overlaps, correspondences, go_on, problem, report);
+            cancelled = !matchAll(canvas, overlaps, correspondences, keypoints, go_on, problem, report);
         if (cancelled)
         {
             report.status = Status::CANCELLED;
@@ -173,7 +212,8 @@ private:
     /// Fills in the problem's pairs. False if cancelled.
     template <typename GoOn>
     bool matchAll(const CanvasImages& canvas, const std::vector<Overlap>& overlaps,
-                  const std::vector<Correspondences>& correspondences, GoOn go_on, Problem& problem, Report& report) const
+                  const std::vector<Correspondences>& correspondences, const std::vector<KnownKeypoints>& keypoints,
+                  GoOn go_on, Problem& problem, Report& report) const
     {
         const Recipe recipe = recipeOf(params_.method);
         std::vector<Features> features(canvas.work.size());
@@ -182,7 +222,10 @@ private:
         {
             if (!go_on("features", static_cast<double>(i) / canvas.count()))
                 return false;
-            features[i] = detectFeatures(canvas.work[i].image, canvas.work[i].mask, canvas.work[i].image.size(), params_);
+            const Photograph& work = canvas.work[i];
+            features[i] = i < static_cast<int>(keypoints.size()) && !keypoints[i].points.empty()
+                              ? knownFeatures(work.image, toWork(keypoints[i], work, canvas.scale))
+                              : detectFeatures(work.image, work.mask, work.image.size(), params_);
         }
         report.timings_ms.features = millisecondsSince(tick);
         tick = getTickCount();
@@ -213,7 +256,6 @@ private:
     MatchSet given(const std::vector<Correspondences>& all, const ProblemPair& pair, double scale, const MeshGrid& a,
                    const MeshGrid& b) const
     {
-        const auto toWork = [scale](Point2f p) { return Point2d((p.x + 0.5) * scale - 0.5, (p.y + 0.5) * scale - 0.5); };
         MatchSet matches;
         for (const Correspondences& item : all)
         {
@@ -224,8 +266,8 @@ private:
             for (size_t i = 0; i < item.points_a.size(); ++i)
             {
                 PointMatch match;
-                match.a = toWork(straight ? item.points_a[i] : item.points_b[i]);
-                match.b = toWork(straight ? item.points_b[i] : item.points_a[i]);
+                match.a = toWork(straight ? item.points_a[i] : item.points_b[i], scale);
+                match.b = toWork(straight ? item.points_b[i] : item.points_a[i], scale);
                 matches.points.push_back(match);
             }
         }

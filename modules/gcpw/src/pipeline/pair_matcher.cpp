@@ -43,6 +43,16 @@ Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const
     return features;
 }
 
+Features knownFeatures(const Mat& image, const Keypoints& keypoints)
+{
+    Mat gray;
+    cvtColor(image, gray, COLOR_BGR2GRAY);
+    Features features;
+    features.keypoints = keypoints;
+    features.segments = detectSegments(gray, Size2d(1, 1), MIN_SEGMENT_LENGTH);
+    return features;
+}
+
 MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed, Point2d shift_b,
                    const Params& params, const Recipe& recipe)
 {

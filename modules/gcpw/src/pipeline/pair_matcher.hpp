@@ -25,6 +25,9 @@ struct Features
 @param work_size rest frame */
 Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const Params& params);
 
+/// The same where the keypoints are known; `image` is at the working resolution.
+Features knownFeatures(const Mat& image, const Keypoints& keypoints);
+
 /** @brief All matches between a moving image and a fixed one, verified by a mesh.
 
 Keypoints are matched near where the rough mesh expects them and gated by a robust mesh fit, then matched once more near

@@ -21,6 +21,13 @@ struct CV_EXPORTS Correspondences
     std::vector<Point2f> points_b; //!< as many as points_a; wrong ones are found and left out
 };
 
+/// SIFT keypoints of one image that were found already, to save finding them again.
+struct CV_EXPORTS KnownKeypoints
+{
+    std::vector<Point2f> points; //!< px of the image as given
+    Mat descriptors;             //!< points.size() x 128, CV_32F or CV_8U, as cv::SIFT computes them
+};
+
 /** @brief Refines roughly aligned images on a canvas: meshes and colours of all of them in one problem.
 
 Every pair that overlaps ties its two images, so loops close and no image is privileged by its order. The reference
@@ -39,11 +46,13 @@ public:
     @param masks CV_8UC1 of the same sizes, non-zero inside; an empty vector means everywhere
     @param correspondences matches known already; where none are given for any pair, they are found here
     @param progress may be empty; cancelling returns the rough alignment with Status::CANCELLED
+    @param keypoints one entry for each image, or none; where an entry is empty, they are found here
     @return meshes at rest with a status other than OK where the refinement had no answer
     @throws cv::Exception if counts, sizes or types do not fit */
     virtual Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks,
                             const std::vector<Correspondences>& correspondences = std::vector<Correspondences>(),
-                            const Progress& progress = Progress()) = 0;
+                            const Progress& progress = Progress(),
+                            const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>()) = 0;
 
     virtual const Params& params() const = 0;
 };

@@ -6,7 +6,7 @@
 #include <vector>
 #include <opencv2/stitching/detail/camera.hpp>
 #include <opencv2/stitching/warpers.hpp>
-#include "opencv2/gcpw/alignment.hpp"
+#include "opencv2/gcpw/aligner.hpp"
 
 namespace cv
 {
@@ -49,11 +49,13 @@ Warps every image with the base warper at the cameras' median focal length, as c
 @param images 8-bit, one for each camera and of the resolution the cameras refer to
 @param cameras as cv::detail::BundleAdjusterBase leaves them; for the affine warper R is the affine map
 @param base creator of the base warper
+@param keypoints of the images, see Aligner::align()
 @return a rig that is not usable(), with a report that says why, where data, cameras or regions of interest gave no answer
 @throws cv::Exception if counts do not fit or params are out of range */
 CV_EXPORTS Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras,
                         const Ptr<WarperCreator>& base, const Params& params = Params(),
-                        const Progress& progress = Progress());
+                        const Progress& progress = Progress(),
+                        const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>());
 
 //! @}
 
