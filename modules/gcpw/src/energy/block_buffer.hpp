@@ -48,8 +48,6 @@ public:
         CV_DbgAssert(!"photometric terms pour no colourless blocks");
     }
 
-    const std::vector<Colored>& colored() const { return colored_; }
-    const std::vector<Partner>& partners() const { return partners_; }
 
     void pourInto(ResidualSink& sink) const
     {

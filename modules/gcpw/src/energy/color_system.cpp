@@ -2,6 +2,7 @@
 #include "energy/color_system.hpp"
 
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 namespace cv
 {
@@ -107,7 +108,7 @@ void ColorSystem::addSamples(QuadId quad, const ColoredBlock& block, const Color
 }
 
 void ColorSystem::addPartner(QuadId a, const ColorGrid::Quad& now_a, QuadId b, const ColorGrid::Quad& now_b,
-                             const PartnerBlock& block)
+                             const PartnerColor& block)
 {
     Node& mine = nodes_[nodeOf(a)];
     Node& other = nodes_[nodeOf(b)];
@@ -275,12 +276,21 @@ SolveStatus ColorSystem::solve(std::vector<ColorGrid>& grids) const
 {
     SolveStatus status = SolveStatus::Solved;
     std::array<Eigen::VectorXd, CHANNELS> solution;
-    for (int c = 0; c < CHANNELS; ++c)
+    std::array<SolveStatus, CHANNELS> statuses;
+    parallel_for_(Range(0, CHANNELS), [&](const Range& range)
     {
-        solution[c] = values(grids, c);
-        const SolveStatus channel = solveChannel(c, solution[c]);
-        if (channel == SolveStatus::NotPositiveDefinite || !solution[c].allFinite())
-            return SolveStatus::NotPositiveDefinite;
+        for (int c = range.start; c < range.end; ++c)
+        {
+            solution[c] = values(grids, c);
+            statuses[c] = solveChannel(c, solution[c]);
+            if (!solution[c].allFinite())
+                statuses[c] = SolveStatus::NotPositiveDefinite;
+        }
+    });
+    for (const SolveStatus channel : statuses)
+    {
+        if (channel == SolveStatus::NotPositiveDefinite)
+            return channel;
         if (channel == SolveStatus::NotConverged)
             status = channel;
     }

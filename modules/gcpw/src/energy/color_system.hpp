@@ -42,7 +42,7 @@ public:
     void addSamples(QuadId quad, const ColoredBlock& block, const ColorGrid::Quad& now);
     /// What they say about the colour of the quad they are compared with.
     void addPartner(QuadId a, const ColorGrid::Quad& now_a, QuadId b, const ColorGrid::Quad& now_b,
-                    const PartnerBlock& block);
+                    const PartnerColor& block);
     void clearSamples();
 
     /// Takes the quad's colour unknowns out of `block`'s mesh part.

@@ -15,7 +15,8 @@ JointSystem::JointSystem(const std::vector<Lattice>& lattices, const std::vector
 void JointSystem::setZero()
 {
     meshes_.setZero();
-    samples_.clear();
+    colored_.clear();
+    partners_.clear();
     eliminated_ = false;
 }
 
@@ -36,18 +37,19 @@ void JointSystem::addBlock(QuadId quad, const QuadBlock& block, const QuadRow& g
 
 void JointSystem::addColored(QuadId quad, const ColoredBlock& block)
 {
-    samples_.addColored(quad, block);
+    colored_.push_back({quad, block});
 }
 
 void JointSystem::addPartner(QuadId a, QuadId b, const PartnerBlock& block)
 {
-    samples_.addPartner(a, b, block);
+    meshes_.addPartner(a, b, block);
+    partners_.push_back({a, b, block});
 }
 
 void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors)
 {
     colors_.clearSamples();
-    for (const BlockBuffer::Colored& item : samples_.colored())
+    for (const Colored& item : colored_)
     {
         ColoredBlock moved = item.block;
         const int vertices = step ? static_cast<int>((*step)[item.quad.image].size()) : 0;
@@ -61,9 +63,9 @@ void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGri
         }
         colors_.addSamples(item.quad, moved, colors[item.quad.image].quad(item.quad.cell));
     }
-    for (const BlockBuffer::Partner& item : samples_.partners())
+    for (const Partner& item : partners_)
         colors_.addPartner(item.a, colors[item.a.image].quad(item.a.cell), item.b,
-                           colors[item.b.image].quad(item.b.cell), item.block);
+                           colors[item.b.image].quad(item.b.cell), item.color);
 }
 
 SolveStatus JointSystem::solveColors(std::vector<ColorGrid>& colors)
@@ -79,12 +81,12 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
         // A quad tied to a moving partner keeps its colour for this step: taking the colour out of one side alone would
         // leave a matrix that is no sum of squares.
         std::vector<std::vector<bool>> tied(lattices_.size());
-        for (const BlockBuffer::Partner& item : samples_.partners())
+        for (const Partner& item : partners_)
         {
             tied[item.a.image].resize(lattices_[item.a.image].cellCount());
             tied[item.a.image][item.a.cell] = true;
         }
-        for (const BlockBuffer::Colored& item : samples_.colored())
+        for (const Colored& item : colored_)
         {
             const std::vector<bool>& ties = tied[item.quad.image];
             ColoredBlock block = item.block;
@@ -92,8 +94,6 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
                 colors_.eliminate(item.quad, colors, block);
             meshes_.addColored(item.quad, block);
         }
-        for (const BlockBuffer::Partner& item : samples_.partners())
-            meshes_.addPartner(item.a, item.b, item.block);
         eliminated_ = true;
     }
     return meshes_.solve(step);

@@ -2,7 +2,6 @@
 #ifndef OPENCV_GCPW_JOINT_SYSTEM_HPP
 #define OPENCV_GCPW_JOINT_SYSTEM_HPP
 
-#include "energy/block_buffer.hpp"
 #include "energy/color_system.hpp"
 #include "energy/mesh_system.hpp"
 
@@ -46,12 +45,24 @@ public:
     SolveStatus solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors);
 
 private:
+    struct Colored
+    {
+        QuadId quad;
+        ColoredBlock block;
+    };
+    struct Partner
+    {
+        QuadId a;
+        QuadId b;
+        PartnerColor color;
+    };
     void gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors);
 
     std::vector<Lattice> lattices_;
     MeshSystem meshes_;
     ColorSystem colors_;
-    BlockBuffer samples_;
+    std::vector<Colored> colored_;
+    std::vector<Partner> partners_;
     bool eliminated_ = false;
 };
 

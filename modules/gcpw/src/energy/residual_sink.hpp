@@ -36,15 +36,20 @@ struct ColoredBlock
     int samples = 0;
 };
 
-/** @brief What the same samples say about one quad of the image they are compared with, where that moves too. */
-struct PartnerBlock
+/** @brief What the same samples say about the colour of one quad of the image they are compared with. */
+struct PartnerColor
 {
-    QuadBlock cross{};                                     ///< J_mesh^T J_partner_mesh, all 64 numbers
-    QuadBlock mesh_mesh{};                                 ///< of the partner, upper triangle
-    QuadRow mesh_gradient{};                               ///< of the partner
     std::array<std::array<double, 4>, 3> color_cross{};    ///< per channel: gain-gain', gain-bias', bias-gain', bias-bias'
     std::array<std::array<double, 3>, 3> color_color{};    ///< of the partner
     std::array<std::array<double, 2>, 3> color_gradient{}; ///< of the partner
+};
+
+/** @brief What the same samples say about one quad of the image they are compared with, where that moves too. */
+struct PartnerBlock : PartnerColor
+{
+    QuadBlock cross{};       ///< J_mesh^T J_partner_mesh, all 64 numbers
+    QuadBlock mesh_mesh{};   ///< of the partner, upper triangle
+    QuadRow mesh_gradient{}; ///< of the partner
 };
 
 /** @brief Where terms pour what they know: weighted squared residuals, as rows or as small summed blocks.

@@ -18,6 +18,7 @@ namespace gcpw
 namespace
 {
 
+const int COMPARISONS = 3;  ///< of a pixel with other images: more repeat what these say
 const int NO_REFERENCE = -2; ///< Params::referenceImage: all images move
 
 /// What align() was given, in the module's own form, at the working resolution.
@@ -113,7 +114,7 @@ std::vector<Overlap> overlapsOf(const CanvasImages& canvas, const Problem& probl
         const Photograph& photograph = canvas.work[i];
         masks.push_back(photograph.mask.empty() ? Mat(photograph.image.size(), CV_8U, Scalar(255)) : photograph.mask);
     }
-    return findOverlaps(corners, masks, cvRound(period));
+    return withoutRepetition(findOverlaps(corners, masks, cvRound(period)), corners, masks, cvRound(period), COMPARISONS);
 }
 
 void checkKeypoints(const std::vector<KnownKeypoints>& keypoints, int images)

@@ -2,6 +2,7 @@
 #include "pipeline/image_graph.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cv
 {
@@ -40,6 +41,41 @@ std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::
             }
         }
     return overlaps;
+}
+
+std::vector<Overlap> withoutRepetition(const std::vector<Overlap>& overlaps, const std::vector<Point>& corners,
+                                       const std::vector<Mat>& masks, int period, int enough)
+{
+    std::vector<size_t> order(overlaps.size());
+    std::iota(order.begin(), order.end(), size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](size_t i, size_t j) { return overlaps[i].area > overlaps[j].area; });
+    std::vector<Mat> compared; // how often each pixel is
+    for (const Mat& mask : masks)
+        compared.push_back(Mat::zeros(mask.size(), CV_8U));
+    std::vector<bool> taken(overlaps.size(), false);
+    for (const size_t k : order)
+    {
+        const Overlap& overlap = overlaps[k];
+        const Point corner[2] = {corners[overlap.a], corners[overlap.b] + Point(overlap.turns_b * period, 0)};
+        const int image[2] = {overlap.a, overlap.b};
+        const Rect shared = Rect(corner[0], masks[image[0]].size()) & Rect(corner[1], masks[image[1]].size());
+        const Mat both = masks[image[0]](shared - corner[0]) & masks[image[1]](shared - corner[1]);
+        for (int side = 0; side < 2; ++side)
+        {
+            const Mat count = compared[image[side]](shared - corner[side]);
+            taken[k] = taken[k] || 2 * countNonZero((count < enough) & both) > overlap.area;
+        }
+        for (int side = 0; side < 2 && taken[k]; ++side)
+        {
+            Mat count = compared[image[side]](shared - corner[side]);
+            add(count, 1, count, both);
+        }
+    }
+    std::vector<Overlap> result;
+    for (size_t k = 0; k < overlaps.size(); ++k)
+        if (taken[k])
+            result.push_back(overlaps[k]);
+    return result;
 }
 
 int mostCentral(int images, const std::vector<Overlap>& overlaps)

@@ -24,6 +24,14 @@ struct Overlap
 @param period px after which the canvas repeats in x; 0 if it does not. Two images may then meet on both sides */
 std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks, int period = 0);
 
+/** @brief The overlaps that are worth comparing, in the same order.
+
+Where many images show the same, some comparisons only repeat what others say. Overlaps are taken by falling area; one is
+left out if in both its images at least half of it is shared with `enough` others that were taken.
+@param enough 1 or more; images are never compared with fewer where they overlap with so many */
+std::vector<Overlap> withoutRepetition(const std::vector<Overlap>& overlaps, const std::vector<Point>& corners,
+                                       const std::vector<Mat>& masks, int period, int enough);
+
 /// The image from which all others are reached over the fewest overlaps in all; of equals the one that overlaps most.
 int mostCentral(int images, const std::vector<Overlap>& overlaps);
 

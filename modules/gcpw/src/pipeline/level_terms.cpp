@@ -17,6 +17,7 @@ namespace
 /// Residuals of Params::robustScale are in local standard deviations; w_q r^2 is 0.01 times their square.
 const double DEVIATION = 0.1;
 const int SHARE_ROWS = 8; ///< rows of quads that one thread pours at a time; sets the order of the sums
+const int SHARES_AT_ONCE = 32; ///< poured into buffers before these are emptied: bounds the memory
 
 RobustLoss lossOf(double scale)
 {
@@ -69,8 +70,7 @@ void LevelTerms::enterLevel(int level)
     {
         const Lattice& lattice = problem_.images[pixels_[k].sourceImage()].rough.lattice();
         for (int row = 0; row < lattice.rows(); row += SHARE_ROWS)
-            shares_.push_back({k, Range(row * lattice.cols(), std::min(row + SHARE_ROWS, lattice.rows()) * lattice.cols()),
-                               BlockBuffer(), 0});
+            shares_.push_back({k, Range(row * lattice.cols(), std::min(row + SHARE_ROWS, lattice.rows()) * lattice.cols())});
     }
     // Misaligned regions look like outliers: coarse levels, which are to move them, judge more mildly.
     pixel_loss_ = lossOf(DEVIATION * params_.robustScale * scale_);
@@ -89,20 +89,26 @@ void LevelTerms::anchor(size_t pixel_term, const MeshGrid& mesh, const std::vect
 
 void LevelTerms::pourPixels(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies)
 {
-    parallel_for_(Range(0, static_cast<int>(shares_.size())), [&](const Range& range)
+    buffers_.resize(SHARES_AT_ONCE);
+    double sums[SHARES_AT_ONCE];
+    for (size_t first = 0; first < shares_.size(); first += SHARES_AT_ONCE)
     {
-        for (int i = range.start; i < range.end; ++i)
+        const int count = static_cast<int>(std::min(shares_.size() - first, static_cast<size_t>(SHARES_AT_ONCE)));
+        parallel_for_(Range(0, count), [&](const Range& range)
         {
-            Share& share = shares_[i];
-            const PhotometricTerm& term = pixels_[share.term];
-            share.blocks.clear();
-            share.energy = term.linearize(states, !problem_.images[term.targetImage()].held, pixel_loss_, share.cells, share.blocks);
+            for (int i = range.start; i < range.end; ++i)
+            {
+                const Share& share = shares_[first + i];
+                const PhotometricTerm& term = pixels_[share.term];
+                buffers_[i].clear();
+                sums[i] = term.linearize(states, !problem_.images[term.targetImage()].held, pixel_loss_, share.cells, buffers_[i]);
+            }
+        }, count);
+        for (int i = 0; i < count; ++i)
+        {
+            energies.photometric += sums[i];
+            buffers_[i].pourInto(sink);
         }
-    });
-    for (const Share& share : shares_)
-    {
-        energies.photometric += share.energy;
-        share.blocks.pourInto(sink);
     }
 }
 

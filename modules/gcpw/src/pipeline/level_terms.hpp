@@ -48,8 +48,6 @@ private:
     {
         size_t term;
         Range cells;
-        BlockBuffer blocks;
-        double energy;
     };
     void pourPixels(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies);
 
@@ -65,6 +63,7 @@ private:
     std::vector<AnchorTerm> anchors_;
     std::vector<AnchorTerm> rests_; ///< where more than one step leads to the image that is held
     std::vector<Share> shares_;
+    std::vector<BlockBuffer> buffers_; ///< of the shares that are poured together
 };
 
 } // namespace gcpw
