@@ -41,8 +41,8 @@ std::function<cv::Ptr<T>()> make()
 cv::Ptr<cv::Feature2D> finderOf(const std::string& name)
 {
     // Faint and dark photographs are dropped for want of keypoints at OpenCV's default contrast threshold, 0.04.
-    const int most = 3000;
-    const double contrast = 0.01;
+    const int most = 4000;
+    const double contrast = 0.007;
     return choose<cv::Feature2D>("features", name,
                                  {{"sift", [=] { return cv::Ptr<cv::Feature2D>(cv::SIFT::create(most, 3, contrast)); }},
                                   {"orb", [=] { return cv::Ptr<cv::Feature2D>(cv::ORB::create(most)); }},
