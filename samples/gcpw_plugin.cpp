@@ -35,5 +35,10 @@ int main(int argc, char** argv)
     }
     if (!gcpw->rig().alignment.ok())
         std::cout << gcpw->rig().alignment.report().message << '\n';
-    return cv::imwrite(argv[argc - 1], panorama) ? 0 : 2;
+    if (!cv::imwrite(argv[argc - 1], panorama))
+    {
+        std::cerr << "gcpw_plugin: cannot write " << argv[argc - 1] << '\n';
+        return 2;
+    }
+    return 0;
 }

@@ -116,21 +116,11 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
     return job;
 }
 
-/// What cv::Stitcher does to an 8-bit BGR photograph.
 std::vector<cv::Mat> readAll(const std::vector<std::string>& paths)
 {
     std::vector<cv::Mat> images;
     for (const std::string& path : paths)
-    {
-        cv::Mat image = readImage(path);
-        if (image.depth() == CV_16U)
-            image.convertTo(image, CV_8U, 1.0 / 257);
-        if (image.channels() == 1)
-            cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
-        if (image.channels() == 4)
-            cv::cvtColor(image, image, cv::COLOR_BGRA2BGR);
-        images.push_back(image);
-    }
+        images.push_back(readBgr(path));
     return images;
 }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <sstream>
 #include <unistd.h>
 
@@ -81,6 +82,18 @@ cv::Mat readImage(const std::string& path)
         image = cv::imread(path, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
     if (image.empty())
         throw WrongUse(path + " is not an image that OpenCV can read");
+    return image;
+}
+
+cv::Mat readBgr(const std::string& path)
+{
+    cv::Mat image = readImage(path);
+    if (image.depth() == CV_16U)
+        image.convertTo(image, CV_8U, 1.0 / 257);
+    if (image.channels() == 1)
+        cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
+    if (image.channels() == 4)
+        cv::cvtColor(image, image, cv::COLOR_BGRA2BGR);
     return image;
 }
 

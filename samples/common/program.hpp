@@ -28,6 +28,9 @@ void checkOptions(int argc, const char* const* argv, const std::string& keys);
 /// Reads a photograph with its depth, orientation and alpha. Throws WrongUse that names the file.
 cv::Mat readImage(const std::string& path);
 
+/// The same as 8-bit BGR, which is all that cv::Stitcher takes.
+cv::Mat readBgr(const std::string& path);
+
 /// Writes an image under a temporary name first, so that no half-written file is ever left. Throws WrongUse.
 void writeImage(const std::string& path, const cv::Mat& image);
 

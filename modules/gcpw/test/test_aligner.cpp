@@ -1,7 +1,10 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
+#include <algorithm>
 #include "opencv2/gcpw/aligner.hpp"
+#include "pipeline/pair_matcher.hpp"
+#include "pipeline/result.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {
@@ -45,6 +48,58 @@ TEST(Gcpw_Aligner, two_images_are_brought_together_and_the_reference_stays)
     EXPECT_EQ(alignment.report().folds, 0);
     for (int c = 0; c < 6; ++c)
         EXPECT_EQ(alignment.image(REFERENCE).color.ptr<float>(0)[c], c < 3 ? 1 : 0);
+}
+
+/// What alignPair() makes of a source and a target whose rough alignment is a shift: image 0 moves, image 1 is held.
+Alignment pairResult(const Mat& source, const Mat& target, Point corner, const Params& params)
+{
+    Problem problem;
+    problem.images.resize(2);
+    problem.images[0].rough = MeshGrid(Lattice(source.size(), params.meshCols, params.meshRows), corner);
+    problem.images[1].rough = MeshGrid(Lattice(target.size(), params.meshCols, params.meshRows));
+    problem.images[1].held = true;
+    ProblemPair pair;
+    pair.a = 0;
+    pair.b = 1;
+    pair.matches = matchPair(detectFeatures(source, Mat(), source.size(), params), detectFeatures(target, Mat(), target.size(), params),
+                             problem.images[0].rough, problem.images[1].rough, Point2d(), params, recipeOf(params.method));
+    problem.pairs.push_back(pair);
+    problem.images[0].pyramid = buildPyramid(source, Mat(), params.pyramidLevels);
+    problem.images[1].pyramid = buildPyramid(target, Mat(), params.pyramidLevels);
+    std::vector<ImageState> states = roughStates(problem);
+    Report report;
+    refine(problem, params, StepCallback(), states, report);
+    return Alignment({toImage(problem.images[0].rough, states[0], source.size()), toImage(problem.images[1].rough, states[1], target.size())},
+                     Size2d(1, 1), report);
+}
+
+TEST(Gcpw_Aligner, two_images_with_one_held_are_what_the_pair_is)
+{
+    SceneOptions options = sceneAt(64, 1);
+    options.recolored = true;
+    const Scene scene(options);
+    const Alignment pair = pairResult(scene.source(), scene.target(), Point(66, -9), withReference(REFERENCE));
+    ASSERT_TRUE(pair.ok());
+    ASSERT_GT(pair.report().max_displacement_px, 2) << "nothing to do";
+    const std::vector<Mat> two = {scene.source(), scene.target()};
+    const std::vector<Mat> swapped = {scene.target(), scene.source()};
+    const Alignment alone = Aligner::create(withReference(1))->align({Point(66, -9), Point(0, 0)}, two, noArray());
+    const Alignment first_held = Aligner::create(withReference(0))->align({Point(0, 0), Point(66, -9)}, swapped, noArray());
+    for (const Alignment::Image& image : {alone.image(0), first_held.image(1)})
+    {
+        EXPECT_LE(cv::norm(image.mesh, pair.image(0).mesh, NORM_INF), 1e-6);
+        EXPECT_LE(cv::norm(image.color, pair.image(0).color, NORM_INF), 1e-6);
+    }
+}
+
+TEST(Gcpw_Aligner, an_image_that_overlaps_none_keeps_its_place_and_hinders_none)
+{
+    const Scene scene(sceneAt(64, 1));
+    const std::vector<Mat> images = {scene.source(), scene.target(), scene.source()};
+    const Alignment alignment =
+        Aligner::create(withReference(REFERENCE))->align({Point(66, -9), Point(0, 0), Point(5000, 0)}, images, noArray());
+    EXPECT_LT(errorOf(scene, alignment, 0), 0.3);
+    EXPECT_LE(cv::norm(alignment.image(2).mesh, alignment.image(2).rough, NORM_INF), 1e-6);
 }
 
 TEST(Gcpw_Aligner, three_images_meet_where_they_overlap)
@@ -145,6 +200,39 @@ TEST(Gcpw_Aligner, one_thread_and_many_give_the_same_bits)
     {
         EXPECT_EQ(cv::norm(alignments[0].image(i).mesh, alignments[1].image(i).mesh, NORM_INF), 0);
         EXPECT_EQ(cv::norm(alignments[0].image(i).color, alignments[1].image(i).color, NORM_INF), 0);
+    }
+}
+
+TEST(Gcpw_Aligner, cancelling_at_any_step_keeps_the_rough_alignment)
+{
+    const Scene scene(sceneAt(64, 1));
+    const std::vector<Mat> images = {scene.source(), scene.target()};
+    const std::vector<Point> corners = {Point(66, -9), Point(0, 0)};
+    Params params = withReference(REFERENCE);
+    params.meshCols = params.meshRows = 8;
+    std::vector<std::string> stages;
+    double last = 0;
+    const Alignment whole = Aligner::create(params)->align(corners, images, noArray(), std::vector<Correspondences>(),
+                                                           [&](const std::string& stage, double share)
+    {
+        EXPECT_TRUE(0 <= share && share <= 1) << stage << " " << share;
+        EXPECT_TRUE(stages.empty() || stages.back() != stage || share >= last) << stage << " goes back";
+        stages.push_back(stage);
+        last = share;
+        return true;
+    });
+    ASSERT_TRUE(whole.ok());
+    for (const char* stage : {"features", "homography", "align"})
+        EXPECT_NE(std::find(stages.begin(), stages.end(), stage), stages.end()) << stage;
+    for (size_t stop = 0; stop < stages.size(); ++stop)
+    {
+        size_t calls = 0;
+        const Alignment alignment = Aligner::create(params)->align(corners, images, noArray(), std::vector<Correspondences>(),
+                                                                   [&](const std::string&, double) { return calls++ < stop; });
+        EXPECT_EQ(alignment.report().status, Status::CANCELLED) << stop;
+        EXPECT_EQ(calls, stop + 1) << "asked again after the answer";
+        for (int i = 0; i < 2; ++i)
+            EXPECT_EQ(cv::norm(alignment.image(i).mesh, alignment.image(i).rough, NORM_INF), 0);
     }
 }
 

@@ -1,6 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
+#include <Eigen/Eigenvalues>
 #include "bent_mesh.hpp"
 #include "term_laws.hpp"
 #include "terms/photometric_term.hpp"
@@ -298,6 +299,24 @@ TEST(Gcpw_PhotometricTerm, the_colors_of_both_images_are_coupled_exactly)
     const PourTerm pour = pourBothSides(levelOf(SOURCE, 1, waves), levelOf(TARGET, 1, otherWaves));
     RecordingSink sink(state.lattices());
     expectExactlyQuadratic(pour, state, sink.meshColumns(), sink.columns(), 0.2, 1e-5);
+}
+
+TEST(Gcpw_PhotometricTerm, colors_of_images_that_do_not_match_are_still_a_sum_of_squares)
+{
+    // Trust is taken from such a quad: of both images or of none, or else the colours have no minimum.
+    const TermState state = movedState();
+    PhotometricTerm::Options options;
+    options.step = 1;
+    options.gain_support = 3;
+    const PyramidLevel target = levelOf(TARGET, 1, otherWaves);
+    const PhotometricTerm term(0, 1, levelOf(SOURCE, 1, waves), target, SOURCE, options);
+    RecordingSink sink(state.lattices());
+    term.linearize({{state.meshes[0], state.colors[0]}, {state.meshes[1], state.colors[1]}}, true, RobustLoss(), sink);
+    ASSERT_FALSE(sink.partners.empty());
+    const Eigen::Index colors = sink.columns() - sink.meshColumns();
+    const Eigen::VectorXd values =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(sink.matrix().bottomRightCorner(colors, colors)).eigenvalues();
+    EXPECT_GE(values.minCoeff(), -1e-9 * values.maxCoeff());
 }
 
 TEST(Gcpw_PhotometricTerm, near_the_truth_the_poured_matrix_is_the_energy_of_both_meshes)

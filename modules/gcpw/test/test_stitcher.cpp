@@ -3,46 +3,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
-#include <opencv2/stitching/detail/motion_estimators.hpp>
-#include "rig_scene.hpp"
+#include <thread>
+#include "stitch_scene.hpp"
 
 namespace opencv_test { namespace {
-
-/// Three views with parallax; `frame` changes what is seen, not the cameras.
-std::vector<Mat> frameOf(int frame = 0)
-{
-    static std::map<int, std::vector<Mat>> made;
-    std::vector<Mat>& images = made[frame];
-    const double yaw[] = {-0.45, 0, 0.45};
-    for (int i = 0; images.size() < 3; ++i)
-        images.push_back(photographOf(cameraAt(yaw[i], 0.03 * (i - 1)), 4, 1.5 * i, 7 + static_cast<uint64_t>(frame)));
-    return images;
-}
-
-gcpw::Params quick()
-{
-    gcpw::Params params;
-    params.meshCols = params.meshRows = 12;
-    params.maxIterations = 3;
-    return params;
-}
-
-Ptr<Stitcher> makeStitcher(Stitcher::Mode mode = Stitcher::PANORAMA)
-{
-    const Ptr<Stitcher> stitcher = Stitcher::create(mode);
-    stitcher->setFeaturesFinder(SIFT::create(2000, 3, 0.01));
-    stitcher->setSeamFinder(makePtr<cv::detail::DpSeamFinder>());
-    stitcher->setBlender(cv::detail::Blender::createDefault(cv::detail::Blender::MULTI_BAND));
-    return stitcher;
-}
-
-void expectSame(const Mat& a, const Mat& b)
-{
-    ASSERT_EQ(a.size(), b.size());
-    ASSERT_GT(countNonZero(a.reshape(1)), static_cast<int>(a.total())); // an empty picture proves nothing
-    EXPECT_EQ(cv::norm(a, b, NORM_INF), 0);
-}
 
 TEST(Gcpw_Stitcher, stitch_refines_the_alignment)
 {
@@ -103,6 +67,109 @@ TEST(Gcpw_Stitcher, a_loaded_rig_gives_the_same_bits)
     expectSame(first, again);
 }
 
+TEST(Gcpw_Stitcher, setTransform_gives_the_same_bits_where_an_image_was_dropped_and_sizes_differ)
+{
+    std::vector<Mat> images = frameOf();
+    resize(images[2], images[2], Size(), 1.25, 1.25, INTER_CUBIC);
+    images.insert(images.begin(), Mat(RIG_IMAGE, CV_8UC3, Scalar::all(128)));
+    const Ptr<Stitcher> stitcher = makeStitcher();
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+    Mat first;
+    ASSERT_EQ(stitcher->estimateTransform(images), Stitcher::OK);
+    ASSERT_EQ(stitcher->composePanorama(first), Stitcher::OK);
+    ASSERT_EQ(stitcher->component(), (std::vector<int>{1, 2, 3}));
+    ASSERT_TRUE(binding->rig().usable());
+    Mat again;
+    ASSERT_EQ(stitcher->setTransform(images, stitcher->cameras(), stitcher->component()), Stitcher::OK);
+    ASSERT_EQ(stitcher->composePanorama(again), Stitcher::OK);
+    expectSame(first, again);
+    EXPECT_EQ(binding->estimations(), 1);
+}
+
+/// RMS difference, gray levels, of neighbouring images where both are warped to.
+double ghosts(cv::detail::RotationWarper& warper, const std::vector<cv::detail::CameraParams>& cameras, const std::vector<Mat>& images)
+{
+    std::vector<Mat> warped(images.size());
+    std::vector<Mat> masks(images.size());
+    std::vector<Point> corners;
+    for (size_t i = 0; i < images.size(); ++i)
+    {
+        const Mat K = intrinsics(cameras[i]);
+        corners.push_back(warper.warp(images[i], K, cameras[i].R, INTER_LINEAR, BORDER_REFLECT, warped[i]));
+        warper.warp(Mat(images[i].size(), CV_8UC1, Scalar(255)), K, cameras[i].R, INTER_NEAREST, BORDER_CONSTANT, masks[i]);
+    }
+    double sum = 0;
+    int count = 0;
+    for (size_t i = 0; i + 1 < images.size(); ++i)
+    {
+        const Rect shared = Rect(corners[i], warped[i].size()) & Rect(corners[i + 1], warped[i + 1].size());
+        const Mat both = masks[i](shared - corners[i]) & masks[i + 1](shared - corners[i + 1]);
+        const double difference = cv::norm(warped[i](shared - corners[i]), warped[i + 1](shared - corners[i + 1]), NORM_L2, both);
+        sum += difference * difference;
+        count += 3 * countNonZero(both);
+    }
+    EXPECT_GT(count, 30000);
+    return std::sqrt(sum / count);
+}
+
+TEST(Gcpw_Stitcher, a_saved_model_of_one_frame_serves_the_next_without_estimating)
+{
+    const Ptr<Stitcher> first = makeStitcher();
+    gcpw::Params params = quick();
+    params.maxIterations = 8;
+    const Ptr<gcpw::StitcherBinding> first_binding = gcpw::attach(first, params);
+    ASSERT_EQ(first->estimateTransform(frameOf()), Stitcher::OK);
+    Mat expected;
+    ASSERT_EQ(first->composePanorama(frameOf(1), expected), Stitcher::OK);
+    const std::string path = cv::tempfile(".yml.gz");
+    first_binding->rig().save(path);
+    const gcpw::Rig rig = gcpw::Rig::load(path);
+    std::remove(path.c_str());
+
+    const Ptr<Stitcher> second = makeStitcher();
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(second, quick(), [](const std::string& stage, double)
+    {
+        ADD_FAILURE() << "estimated: " << stage;
+        return true;
+    });
+    binding->setRig(rig);
+    Mat panorama;
+    ASSERT_EQ(second->setTransform(frameOf(1), rig.cameras, rig.component), Stitcher::OK);
+    ASSERT_EQ(second->composePanorama(panorama), Stitcher::OK);
+    EXPECT_EQ(binding->estimations(), 0);
+    EXPECT_TRUE(binding->rig().usable());
+    expectSame(expected, panorama);
+    const Ptr<WarperCreator> base = makePtr<cv::SphericalWarper>();
+    const double before = ghosts(*base->create(rig.scale), rig.cameras, frameOf(1));
+    const double after = ghosts(*gcpw::GcpwWarper(base, rig).create(rig.scale), rig.cameras, frameOf(1));
+    EXPECT_LT(after, 0.5 * before) << "the next frame has other things at the same depths";
+}
+
+TEST(Gcpw_Stitcher, two_threads_at_once_give_the_bits_of_one_after_another)
+{
+    const std::vector<cv::detail::CameraParams> cameras{cameraAt(-0.45, -0.03), cameraAt(0), cameraAt(0.45, 0.03)};
+    const std::vector<Mat> frames[] = {frameOf(0), frameOf(1)};
+    Mat alone[2];
+    Mat together[2];
+    const auto stitch = [&](int frame, Mat& panorama)
+    {
+        const Ptr<Stitcher> stitcher = makeStitcher();
+        const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+        binding->setImages(frames[frame]);
+        if (stitcher->setTransform(frames[frame], cameras) != Stitcher::OK || stitcher->composePanorama(panorama) != Stitcher::OK ||
+            !binding->rig().usable())
+            panorama.release();
+    };
+    for (int i = 0; i < 2; ++i)
+        stitch(i, alone[i]);
+    std::thread other([&] { stitch(1, together[1]); });
+    stitch(0, together[0]);
+    other.join();
+    for (int i = 0; i < 2; ++i)
+        expectSame(alone[i], together[i]);
+    EXPECT_GT(cv::norm(frames[0][1], frames[1][1], NORM_INF), 0);
+}
+
 TEST(Gcpw_Stitcher, setTransform_with_unknown_cameras_estimates_only_from_images_it_was_given)
 {
     const std::vector<cv::detail::CameraParams> cameras{cameraAt(-0.45, -0.03), cameraAt(0), cameraAt(0.45, 0.03)};
@@ -124,24 +191,6 @@ TEST(Gcpw_Stitcher, setTransform_with_unknown_cameras_estimates_only_from_images
     ASSERT_EQ(stitcher->composePanorama(panorama), Stitcher::OK);
     EXPECT_TRUE(binding->rig().usable());
     EXPECT_EQ(binding->estimations(), 1);
-}
-
-TEST(Gcpw_Stitcher, cancelling_gives_the_plain_panorama)
-{
-    for (const std::string stage : {"features", "homography", "align"})
-    {
-        const Ptr<Stitcher> stitcher = makeStitcher();
-        const Ptr<gcpw::StitcherBinding> binding =
-            gcpw::attach(stitcher, quick(), [&](const std::string& now, double) { return now != stage; });
-        Mat panorama;
-        ASSERT_EQ(stitcher->stitch(frameOf(), panorama), Stitcher::OK);
-        EXPECT_EQ(binding->rig().alignment.report().status, gcpw::Status::CANCELLED);
-        const Ptr<Stitcher> plain = makeStitcher();
-        Mat expected;
-        ASSERT_EQ(plain->setTransform(frameOf(), stitcher->cameras(), stitcher->component()), Stitcher::OK);
-        ASSERT_EQ(plain->composePanorama(expected), Stitcher::OK);
-        expectSame(expected, panorama);
-    }
 }
 
 TEST(Gcpw_Stitcher, stitcher_and_binding_do_not_hold_each_other)
@@ -203,29 +252,6 @@ TEST(Gcpw_Stitcher, scans_with_a_change_of_scale_line_up)
         const Point2f b = warper->warpPoint(Point2f(Point2d((p.x - 170) * 1.2, p.y * 1.2)), K, stitcher->cameras()[1].R);
         EXPECT_LE(cv::norm(a - b), 0.5) << a << b;
     }
-}
-
-TEST(Gcpw_Stitcher, a_camera_that_is_none_leads_to_a_message)
-{
-    std::vector<cv::detail::CameraParams> cameras{cameraAt(-0.45), cameraAt(0), cameraAt(0.45)};
-    cameras[1].R.at<float>(2, 2) = std::numeric_limits<float>::quiet_NaN();
-    const gcpw::Rig rig = gcpw::alignRig(frameOf(), cameras, makePtr<cv::SphericalWarper>(), quick());
-    EXPECT_FALSE(rig.usable());
-    EXPECT_NE(rig.alignment.report().message.find("camera 1"), std::string::npos);
-    // A picture of half the sphere's plane: out of proportion.
-    cameras[1] = cameraAt(1.45);
-    const gcpw::Rig stretched = gcpw::alignRig(frameOf(), cameras, makePtr<cv::PlaneWarper>(), quick());
-    EXPECT_FALSE(stretched.usable());
-}
-
-TEST(Gcpw_Stitcher, too_few_images_are_refused_as_ever)
-{
-    const Ptr<Stitcher> stitcher = makeStitcher();
-    gcpw::attach(stitcher, quick());
-    Mat panorama;
-    EXPECT_EQ(stitcher->stitch(std::vector<Mat>(), panorama), Stitcher::ERR_NEED_MORE_IMGS);
-    EXPECT_EQ(stitcher->stitch(std::vector<Mat>(1, frameOf()[0]), panorama), Stitcher::ERR_NEED_MORE_IMGS);
-    EXPECT_THROW(gcpw::attach(Ptr<Stitcher>()), cv::Exception);
 }
 
 TEST(Gcpw_Stitcher, images_across_the_seam_join_the_circle)

@@ -18,7 +18,7 @@ namespace
 {
 
 const int NO_REFERENCE = -2; ///< Params::referenceImage: no image is asked for; colours need one all the same
-const int PASSES = 3;        ///< a level: robust weights settle in as many
+const int PASSES = 3;        ///< a level: what quads are trusted with depends on the colours, and settles in as many
 
 Problem standingProblem(const std::vector<Point>& corners, const std::vector<Mat>& images, const std::vector<Mat>& masks,
                         const Params& params, const std::vector<Overlap>& overlaps)
@@ -86,7 +86,10 @@ std::vector<Mat> estimateColors(const std::vector<Point>& corners, const std::ve
         JointSystem system(lattices, color_held, color_held);
         for (size_t i = 0; i < lattices.size(); ++i)
             addColorSmoothness(static_cast<int>(i), lattices[i], params.colorSmoothnessWeight, system.colors());
-        LevelTerms terms(problem, recipe, params);
+        // Plain squares, as in the paper: where nothing lines up there are no outliers, only differences to be evened out.
+        Params plain = params;
+        plain.robustScale = 0;
+        LevelTerms terms(problem, recipe, plain);
         ColorRest rest(problem, params.colorRestWeight, params.exposureWeight);
         for (size_t level = levels; level-- > 0;)
         {

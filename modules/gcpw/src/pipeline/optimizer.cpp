@@ -206,7 +206,6 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
     size_t levels = static_cast<size_t>(params_.pyramidLevels);
     for (const ProblemImage& image : problem_.images)
         levels = std::min(levels, image.pyramid.size());
-    expected_ticks_ += static_cast<int>(levels + 1) * params_.maxIterations;
     const std::vector<ImageState> start = states;
     const auto run_one = [&](int max_iterations)
     {
@@ -249,7 +248,7 @@ OptimizeStatus Optimizer::run(std::vector<ImageState>& states, std::vector<Level
     report.clear();
     progress_ = progress;
     ticks_ = 0;
-    expected_ticks_ = params_.maxIterations;
+    expected_ticks_ = params_.maxIterations * (recipe_.pixels ? params_.pyramidLevels + 2 : 1);
     if (!recipe_.points || problem_.pairs.empty())
         return OptimizeStatus::Done;
     LevelTerms terms(problem_, recipe_, params_);

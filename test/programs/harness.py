@@ -1,0 +1,82 @@
+# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+"""What the end-to-end tests share: running a program in a scratch folder and looking at what it left there.
+
+A test is a script `test_*.py PROGRAMS SCRATCH`; it needs nothing but Python's own library."""
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+
+STITCHED, NO_ALIGNMENT, WRONG_USE = 0, 1, 2
+
+
+class Bench:
+    """The programs, an empty scratch folder, and the faults found so far."""
+
+    def __init__(self, programs, scratch):
+        self.programs = pathlib.Path(programs)
+        self.scratch = pathlib.Path(scratch)
+        self.faults = []
+        shutil.rmtree(self.scratch, ignore_errors=True)
+        self.scratch.mkdir(parents=True)
+
+    def check(self, truth, fault):
+        if not truth:
+            self.faults.append(fault)
+
+    def run(self, program, *arguments, expect=STITCHED, says=""):
+        """Runs a program in the scratch folder; its exit code and a word of its messages are checked."""
+        command = [str(self.programs / program), *map(str, arguments)]
+        done = subprocess.run(command, cwd=self.scratch, capture_output=True, text=True, check=False)
+        said = done.stdout + done.stderr
+        call = " ".join([program, *map(str, arguments)])
+        self.check(done.returncode == expect, f"{call}: exit code {done.returncode} instead of {expect}: {said}")
+        self.check(says in said, f"{call}: does not say '{says}': {said}")
+        return said
+
+    def refused(self, program, *arguments, expect=WRONG_USE, says=""):
+        """The same for a call that must leave nothing behind, neither files nor folders."""
+        before = self.files()
+        said = self.run(program, *arguments, expect=expect, says=says)
+        left = sorted(self.files() - before)
+        self.check(said.strip(), f"{program} {arguments}: refuses without a word")
+        self.check(not left, f"{program} {arguments}: leaves {left}")
+
+    def files(self):
+        return {str(path.relative_to(self.scratch)) for path in self.scratch.rglob("*")}
+
+    def path(self, name):
+        return self.scratch / name
+
+    def same_bytes(self, a, b):
+        return self.path(a).read_bytes() == self.path(b).read_bytes()
+
+    def png(self, name):
+        """(width, height, channels) of a PNG file of 8 bits, or nothing and a fault."""
+        head = self.path(name).read_bytes()[:26] if self.path(name).is_file() else b""
+        if len(head) < 26 or head[:8] != b"\x89PNG\r\n\x1a\n":
+            self.faults.append(f"{name} is no PNG file")
+            return None
+        width, height, depth, color = struct.unpack(">IIBB", head[16:26])
+        self.check(depth == 8, f"{name} has {depth} bits a channel")
+        return width, height, {0: 1, 2: 3, 6: 4}.get(color)
+
+    def flat_image(self, name, width=400, height=300):
+        """A gray picture in which nothing can be matched."""
+        self.path(name).write_bytes(b"P5 %d %d 255\n" % (width, height) + b"\x80" * (width * height))
+
+    def synthetic_pair(self):
+        """Paths of two photographs of 800 x 600 px that overlap, with parallax and different exposure."""
+        self.run("gcpw_pair", "--synthetic=photos", says="written")
+        return "photos/source.png", "photos/target.png"
+
+
+def main(test):
+    """Runs test(bench) with the folders of the command line and tells the result."""
+    bench = Bench(*sys.argv[1:3])
+    test(bench)
+    for fault in bench.faults:
+        print(fault)
+    print(f"{len(bench.faults)} faults")
+    sys.exit(1 if bench.faults else 0)

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+"""gcpw_pair: pictures, dump, report, refusals.
+
+Usage: test_gcpw_pair.py PROGRAMS SCRATCH"""
+import json
+
+from harness import NO_ALIGNMENT, main
+
+DUMP = {"source.png": 3, "source_mask.png": 1, "target.png": 3, "target_mask.png": 1, "source_corrected.png": 3, "mesh.png": 3}
+REPORT = {"status", "message", "method", "points", "lines", "folds", "max_displacement_px", "gain_min", "gain_max", "levels", "scores",
+          "timings_ms"}
+LEVEL = {"scale", "iterations", "converged", "energy_start", "energy_end"}
+ENERGY = {"photometric", "points", "lines", "anchors", "similarity", "color", "total"}
+TIMINGS = {"features", "homography", "align", "render", "total"}
+QUICK = ("--work_megapix=0.15", "--set=featureMegapix=0.15")
+
+
+def keys_of_report(bench, report):
+    bench.check(set(report) == REPORT, f"the report has {sorted(report)}")
+    bench.check(set(report["timings_ms"]) == TIMINGS, f"timings are {sorted(report['timings_ms'])}")
+    bench.check(bool(report["levels"]), "no level is reported")
+    for level in report["levels"]:
+        bench.check(set(level) == LEVEL, f"a level has {sorted(level)}")
+        for when in ("energy_start", "energy_end"):
+            bench.check(set(level[when]) == ENERGY, f"energies are {sorted(level[when])}")
+    for when in ("before", "after"):
+        bench.check(set(report["scores"][when]) == {"ncc", "zncc"}, f"scores are {report['scores']}")
+
+
+def stitches(bench, source, target):
+    bench.run("gcpw_pair", source, target, "--output=pano.png", "--dump=dump/deep", "--report=report.json", says="pano.png")
+    size = bench.png("pano.png")
+    bench.check(size is not None and 1000 < size[0] < 1300 and 600 <= size[1] < 700, f"the panorama is {size}")
+    found = {path.name for path in bench.path("dump/deep").iterdir()}
+    bench.check(found == set(DUMP), f"the dump holds {sorted(found)}")
+    for name, channels in DUMP.items():
+        bench.check(bench.png("dump/deep/" + name) == (*size[:2], channels), f"{name} is {bench.png('dump/deep/' + name)}")
+    report = json.loads(bench.path("report.json").read_text(encoding="utf-8"))
+    keys_of_report(bench, report)
+    bench.check(report["status"] == "ok" and report["method"] == "gcpw" and report["folds"] == 0, f"the report says {report}")
+    bench.check(report["scores"]["after"]["zncc"] < 0.3 * report["scores"]["before"]["zncc"], f"scores are {report['scores']}")
+
+
+def repeats(bench, source, target):
+    for threads in (1, 2):
+        bench.run("gcpw_pair", source, target, *QUICK, f"--output=threads{threads}.png", f"--threads={threads}")
+    bench.check(bench.same_bytes("threads1.png", "threads2.png"), "one thread and two give different pictures")
+
+
+def methods(bench, source, target):
+    for method in ("global", "mfw"):
+        bench.run("gcpw_pair", source, target, *QUICK, f"--method={method}", f"--output={method}.png", f"--report={method}.json",
+                  "--blend=average")
+        report = json.loads(bench.path(method + ".json").read_text(encoding="utf-8"))
+        bench.check(report["method"] == method, f"{method} reports {report['method']}")
+    bench.check(not bench.same_bytes("global.png", "mfw.png"), "global and mfw give one picture")
+
+
+def renders_another_source(bench, source, target):
+    """Estimated on one picture, rendered from another: the mesh is the same, the colours of the panorama are not."""
+    bench.run("gcpw_pair", source, target, *QUICK, "--output=plain.png", "--dump=plain", "--report=plain.json")
+    bench.run("gcpw_pair", source, target, *QUICK, f"--render_source={source}", "--output=itself.png")
+    bench.check(bench.same_bytes("plain.png", "itself.png"), "rendering the source itself changes the picture")
+    bench.flat_image("flat.pgm", 800, 600)
+    bench.run("gcpw_pair", source, target, *QUICK, "--render_source=flat.pgm", "--output=flat.png", "--dump=flat",
+              "--report=flat.json")
+    bench.check(bench.same_bytes("plain/source_mask.png", "flat/source_mask.png"), "the mesh depends on what is rendered")
+    bench.check(not bench.same_bytes("plain/source.png", "flat/source.png"), "the other source is not rendered")
+    plain, flat = (json.loads(bench.path(name).read_text(encoding="utf-8")) for name in ("plain.json", "flat.json"))
+    bench.check(plain["levels"] == flat["levels"], "the estimation depends on what is rendered")
+    bench.flat_image("small.pgm")
+    bench.refused("gcpw_pair", source, target, "--render_source=small.pgm", "--output=no.png", says="small.pgm")
+
+
+def refuses(bench, source, target):
+    bench.path("text.jpg").write_text("not a picture", encoding="utf-8")
+    bench.flat_image("gray.pgm", 800, 600)
+    out = ("--output=no.png", "--dump=no", "--report=no.json")
+    for arguments, says in (((), "two photographs"), ((source,), "two photographs"), ((source, "missing.png"), "missing.png"),
+                            ((source, "text.jpg"), "text.jpg"), ((source, target, "--method=best"), "cpw"),
+                            ((source, target, "--blend=hard"), "multiband"), ((source, target, "--colour"), "--colour"),
+                            ((source, target, "--set=meshCols=1"), "meshCols"), ((source, target, "--set=quads=3"), "quads"),
+                            ((source, target, "--set=meshCols"), "name=number"),
+                            ((source, target, "--work_megapix=0"), "workMegapix")):
+        bench.refused("gcpw_pair", *arguments, *out, says=says)
+    bench.refused("gcpw_pair", source, target, *QUICK, "--output=no_such_folder/pano.png", says="no_such_folder/pano.png")
+    bench.run("gcpw_pair", "gray.pgm", target, *out[:2], "--report=none.json", expect=NO_ALIGNMENT, says="matches")
+    bench.check(not bench.path("no.png").exists() and not bench.path("no").exists(), "a failure leaves pictures")
+    report = json.loads(bench.path("none.json").read_text(encoding="utf-8"))
+    bench.check(report["status"] == "no_alignment" and report["message"], f"the report of a failure says {report}")
+    bench.run("gcpw_pair", "--help", says="--render_source")
+
+
+def test(bench):
+    pair = bench.synthetic_pair()
+    for photo in pair:
+        bench.check(bench.png(photo) == (800, 600, 3), f"{photo} is {bench.png(photo)}")
+    for part in (stitches, repeats, methods, renders_another_source, refuses):
+        part(bench, *pair)
+
+
+if __name__ == "__main__":
+    main(test)

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+"""gcpw_stitch: pictures, dump, report, models, the plain pipeline, refusals.
+
+Usage: test_gcpw_stitch.py PROGRAMS SCRATCH"""
+import json
+
+from harness import NO_ALIGNMENT, main
+
+QUICK = ("--work_megapix=0.15", "--compose_megapix=0.15", "--seam=dp_color")
+REPORT = {"status", "method", "width", "height", "images", "dropped", "timings_ms"}
+ALIGNMENT = {"status", "message", "estimations", "folds", "max_displacement_px", "gain_min", "gain_max", "pairs", "timings_ms"}
+
+
+def report_of(bench, name):
+    return json.loads(bench.path(name).read_text(encoding="utf-8"))
+
+
+def stitches(bench, photos):
+    bench.run("gcpw_stitch", *photos, "gray.pgm", *QUICK, "--output=pano.png", "--dump=dump", "--report=report.json",
+              "--save_model=model.yml.gz", says="dropped gray.pgm")
+    size = bench.png("pano.png")
+    report = report_of(bench, "report.json")
+    bench.check(set(report) == REPORT | {"alignment"}, f"the report has {sorted(report)}")
+    bench.check(set(report["alignment"]) == ALIGNMENT, f"the alignment has {sorted(report['alignment'])}")
+    bench.check((report["width"], report["height"], 3) == size, f"the panorama is {size}, the report says {report}")
+    bench.check(report["dropped"] == ["gray.pgm"] and report["images"] == 3, f"dropped are {report['dropped']}")
+    alignment = report["alignment"]
+    bench.check(alignment["status"] == "ok" and alignment["estimations"] == 1 and alignment["folds"] == 0, f"{alignment}")
+    for pair in alignment["pairs"]:
+        bench.check(pair["miss_after"] < 0.5 * pair["miss_before"], f"not refined: {pair}")
+
+
+def dumps(bench):
+    found = {path.name for path in bench.path("dump").iterdir()}
+    expected = {f"{k:03d}_{what}.png" for k in (0, 1) for what in ("image", "mask")} | {"corners.csv"}
+    bench.check(found == expected, f"the dump holds {sorted(found)}")
+    rows = [line.split(",") for line in bench.path("dump/corners.csv").read_text(encoding="utf-8").splitlines()]
+    bench.check([row[0] for row in rows] == ["000", "001"], f"corners are of {rows}")
+    boxes = []
+    for number, x, y in rows:
+        image, mask = bench.png(f"dump/{number}_image.png"), bench.png(f"dump/{number}_mask.png")
+        bench.check(image[:2] == mask[:2] and (image[2], mask[2]) == (3, 1), f"{number}: {image}, {mask}")
+        boxes.append((int(x), int(y), int(x) + image[0], int(y) + image[1]))
+    width, height = (max(box[i + 2] for box in boxes) - min(box[i] for box in boxes) for i in (0, 1))
+    bench.check((width, height, 3) == bench.png("pano.png"), f"corners and sizes give {width} x {height}")
+
+
+def reuses_a_model(bench, photos):
+    bench.run("gcpw_stitch", *photos, "gray.pgm", *QUICK, "--output=loaded.png", "--load_model=model.yml.gz", "--report=loaded.json",
+              "--save_model=again.json")
+    bench.check(bench.same_bytes("pano.png", "loaded.png"), "a loaded model gives another picture")
+    bench.check(report_of(bench, "loaded.json")["alignment"]["estimations"] == 0, "a loaded model is estimated again")
+    bench.run("gcpw_stitch", *photos, "gray.pgm", *QUICK, "--output=json.png", "--load_model=again.json")
+    bench.check(bench.same_bytes("pano.png", "json.png"), "a model through JSON gives another picture")
+
+
+def plain_pipeline(bench, photos):
+    """Nothing of GCPW is in --method=none, and it is what GCPW falls back on."""
+    bench.run("gcpw_stitch", *photos, *QUICK, "--method=none", "--output=none.png", "--report=none.json", "--dump=none")
+    report = report_of(bench, "none.json")
+    bench.check(set(report) == REPORT and report["method"] == "none", f"the report has {sorted(report)}")
+    bench.check(not bench.same_bytes("none.png", "pano.png"), "gcpw gives the plain picture")
+    # At so low a resolution no overlap is large enough to be refined.
+    bench.run("gcpw_stitch", *photos, *QUICK, "--set=workMegapix=0.0001", "--output=rough.png", "--report=rough.json", says="overlap")
+    bench.check(report_of(bench, "rough.json")["alignment"]["status"] == "rough", "the refinement found an answer after all")
+    bench.check(bench.same_bytes("none.png", "rough.png"), "without a refinement the picture is not OpenCV's own")
+
+
+def refuses(bench, photos):
+    bench.path("text.jpg").write_text("not a picture", encoding="utf-8")
+    bench.path("bad.yml").write_text("%YAML:1.0\n---\nkind: something\n", encoding="utf-8")
+    out = ("--output=no.png", "--dump=no")
+    for arguments, says in (((), "two photographs"), (photos[:1], "two photographs"), ((photos[0], "missing.png"), "missing.png"),
+                            ((photos[0], "text.jpg"), "text.jpg"), ((*photos, "--method=best"), "gcpw, none"),
+                            ((*photos, "--warp=ball"), "spherical"), ((*photos, "--mode=map"), "scans"),
+                            ((*photos, "--seams=no"), "--seams"), ((*photos, "--reference=3"), "--reference"),
+                            ((*photos, "--work_megapix=-1"), "--work_megapix"), ((*photos, "--set=meshCols=1"), "meshCols"),
+                            ((*photos, "--load_model=missing.yml"), "missing.yml"), ((*photos, "--load_model=bad.yml"), "bad.yml"),
+                            ((*photos, "--method=none", "--save_model=no.yml"), "--method=gcpw")):
+        bench.refused("gcpw_stitch", *arguments, *out, says=says)
+    bench.refused("gcpw_stitch", *photos, *QUICK, "--output=no_such_folder/pano.png", says="no_such_folder/pano.png")
+    bench.refused("gcpw_stitch", photos[0], "gray.pgm", *out, expect=NO_ALIGNMENT, says="match")
+    bench.run("gcpw_stitch", "--help", says="--save_model")
+
+
+def test(bench):
+    photos = bench.synthetic_pair()
+    bench.flat_image("gray.pgm", 800, 600)
+    stitches(bench, photos)
+    dumps(bench)
+    reuses_a_model(bench, photos)
+    plain_pipeline(bench, photos)
+    refuses(bench, photos)
+
+
+if __name__ == "__main__":
+    main(test)
