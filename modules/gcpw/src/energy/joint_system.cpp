@@ -6,6 +6,13 @@ namespace cv
 namespace gcpw
 {
 
+namespace
+{
+
+const double STEP_TOLERANCE = 0.1; ///< many images: the next Gauss-Newton step corrects what is missing
+
+} // namespace
+
 JointSystem::JointSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& mesh_held,
                          const std::vector<bool>& color_held)
     : lattices_(lattices), meshes_(lattices, mesh_held), colors_(lattices, color_held)
@@ -96,7 +103,7 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
         }
         eliminated_ = true;
     }
-    return meshes_.solve(step);
+    return meshes_.solve(step, STEP_TOLERANCE);
 }
 
 SolveStatus JointSystem::solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors)

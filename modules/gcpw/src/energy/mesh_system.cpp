@@ -13,7 +13,6 @@ namespace gcpw
 namespace
 {
 
-const double CG_TOLERANCE = 0.1;  ///< many images: the next Gauss-Newton step corrects what is missing
 const int CG_MAX_ITERATIONS = 200;
 
 } // namespace
@@ -130,7 +129,7 @@ void MeshSystem::multiply(const Eigen::VectorXd& in, Eigen::VectorXd& out) const
     });
 }
 
-SolveStatus MeshSystem::solve(MeshStep& step)
+SolveStatus MeshSystem::solve(MeshStep& step, double tolerance)
 {
     const auto solveEach = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out)
     {
@@ -152,7 +151,7 @@ SolveStatus MeshSystem::solve(MeshStep& step)
         solveEach(rhs, x);
     else
         status = conjugateGradient(
-            rhs, x, [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) { multiply(in, out); }, solveEach, CG_TOLERANCE,
+            rhs, x, [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) { multiply(in, out); }, solveEach, tolerance,
             CG_MAX_ITERATIONS);
     if (status == SolveStatus::NotPositiveDefinite || !x.allFinite())
         return SolveStatus::NotPositiveDefinite;

@@ -45,8 +45,10 @@ public:
     /// weight * |step|^2 for every vertex: keeps motions finite that no term feels.
     void addDamping(double weight);
 
-    /// Minimises the summed energy; `step` is set unless NotPositiveDefinite is returned.
-    SolveStatus solve(MeshStep& step);
+    /** @brief Minimises the summed energy.
+    @param step set unless NotPositiveDefinite is returned
+    @param tolerance of conjugate gradients, where images are tied: share of the residual that may remain */
+    SolveStatus solve(MeshStep& step, double tolerance = 1e-4);
 
 private:
     /// What ties two images that both move.
