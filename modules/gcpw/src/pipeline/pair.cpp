@@ -177,9 +177,11 @@ void checkMatches(const PairMatches& matches, Size source, Size target)
     }
 }
 
+/// @param spent_ms on the matches
 Alignment align(const Photograph& source, const Photograph& target, const PairMatches& matches, const Params& params,
-                const Progress& progress, int64 start)
+                const Progress& progress, double spent_ms)
 {
+    const int64 start = getTickCount();
     Report report;
     report.status = matches.status;
     report.message = matches.message;
@@ -204,7 +206,7 @@ Alignment align(const Photograph& source, const Photograph& target, const PairMa
     std::vector<ImageState> states = roughStates(problem);
     refine(problem, params, [&](double share) { return !progress || progress("align", share); }, states, report);
     report.timings_ms.align = millisecondsSince(tick);
-    report.timings_ms.total = millisecondsSince(start);
+    report.timings_ms.total = spent_ms + millisecondsSince(start);
     return Alignment({toImage(problem.images[0].rough, states[0], matches.source_size),
                       toImage(problem.images[1].rough, states[1], matches.target_size)},
                      Size2d(frames.target_scale.x, frames.target_scale.y), report);
@@ -225,18 +227,18 @@ Alignment alignPair(InputArray source_input, InputArray target_input, const Para
     const Photograph source = toPhotograph(source_input, "source");
     const Photograph target = toPhotograph(target_input, "target");
     const PairMatches matches = find(source, target, params, recipeOf(params.method), progress);
-    return align(source, target, matches, params, progress, start);
+    return align(source, target, matches, params, progress, millisecondsSince(start));
 }
 
 Alignment alignPair(InputArray source_input, InputArray target_input, const PairMatches& matches, const Params& params,
                     const Progress& progress)
 {
     params.check();
-    const int64 start = getTickCount();
     const Photograph source = toPhotograph(source_input, "source");
     const Photograph target = toPhotograph(target_input, "target");
     checkMatches(matches, source.image.size(), target.image.size());
-    return align(source, target, matches, params, progress, start);
+    return align(source, target, matches, params, progress,
+                 matches.timings_ms.features + matches.timings_ms.homography);
 }
 
 } // namespace gcpw
