@@ -116,7 +116,7 @@ std::vector<cv::Rect> worstPatches(const std::vector<PairCanvas>& canvases, cv::
             {
                 const PairCanvas part = cropped(canvas, candidate.place + canvas.target_origin);
                 const int covered = cv::countNonZero(part.source_mask & part.target_mask);
-                candidate.error += covered < MIN_COVERED * side * side ? std::nan("") : cv::gcpw::scorePair(part).zncc;
+                candidate.error += covered < MIN_COVERED * side * side ? std::nan("") : cv::gcpw::scorePair(part).ncc;
             }
             if (std::isfinite(candidate.error))
                 candidates.push_back(candidate);

@@ -10,8 +10,8 @@ namespace evaluation
 /** @brief A picture that compares the methods on one pair, as the paper's figures do.
 
 One row a method: its name and zncc, its panorama (plain mean in the overlap), and the same three patches of the target's
-frame for all of them, enlarged and framed in the panorama. The patches are those with the largest error in the mean over
-all methods, so that none of them has chosen.
+frame for all of them, enlarged and framed in the panorama. The patches are those with the largest ncc, which looks at
+strong edges first, in the mean over all methods, so that none of them has chosen.
 @param rows results of the experiment; alignments are read from experiment.folder
 @return CV_8UC3; empty if no method of the experiment has an alignment of the pair
 @throws cv::Exception if photographs or alignments cannot be read */

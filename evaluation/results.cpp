@@ -49,6 +49,14 @@ std::vector<std::string> readLines(const std::string& path)
     return lines;
 }
 
+/// Whether the last line of a file is whole.
+bool endsLine(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    file.seekg(-1, std::ios::end);
+    return file.get() == '\n';
+}
+
 /// The first option that changed, as "name was .., is ..".
 std::string difference(const std::vector<std::string>& before, const std::vector<std::string>& now)
 {
@@ -82,18 +90,19 @@ ResultsFile::ResultsFile(const std::string& folder, const std::vector<std::strin
         if (!changed.empty())
             CV_Error(cv::Error::StsBadArg, folder + " holds results of other options: " + changed +
                                                "; choose another --out, or --fresh to forget them");
-        const std::vector<std::string> lines = readLines(path_);
+        std::vector<std::string> lines = readLines(path_);
+        if (lines.size() > 1 && !endsLine(path_))
+            lines.pop_back(); // an interruption has cut it
         for (size_t i = 0; i < lines.size(); ++i)
         {
             RunKey key;
             RunResult result;
-            const bool last = i + 1 == lines.size(); // an interruption may have cut it
             if (i == 0 ? lines[i] == HEADER : parseLine(lines[i], key, result))
             {
                 if (i > 0)
                     rows_[key] = result;
             }
-            else if (!last || i == 0)
+            else
                 CV_Error(cv::Error::StsParseError,
                          cv::format("%s, line %zu is no row of this table; remove it, or --fresh", path_.c_str(), i + 1));
         }
@@ -116,10 +125,15 @@ bool ResultsFile::has(const RunKey& key) const
 void ResultsFile::append(const RunKey& key, const RunResult& result)
 {
     const std::lock_guard<std::mutex> lock(mutex_);
-    file_ << lineOf(key, result) << std::endl;
+    const std::string line = lineOf(key, result);
+    file_ << line << std::endl;
     if (!file_)
         CV_Error(cv::Error::StsError, "cannot write " + path_);
-    rows_[key] = result;
+    // As it would be read again: a table that was interrupted and one that was not are the same.
+    RunKey same_key;
+    RunResult rounded;
+    parseLine(line, same_key, rounded);
+    rows_[key] = rounded;
 }
 
 void ResultsFile::sort()
