@@ -7,13 +7,14 @@
 namespace evaluation
 {
 
-/// Constants of the illumination-invariant image.
+/// Constants of the illumination-invariant image: the best of those tried on photographs, with a reach of 0.003 to 0.1, a
+/// relative width of 0.1 to 0.8 and a narrowest of 1 or 2 bins. Alignment wants a shorter reach than tracking does.
 struct LshOptions
 {
     int bins = 32;         ///< of the histogram over 0..255, 2..256
-    double reach = 0.05;   ///< distance at which a pixel counts 1/e, as a share of the image's diagonal, > 0
-    double relative = 0.1; ///< width of the interval around a pixel's own intensity, as a share of that intensity, > 0
-    double narrowest = 1;  ///< least width of that interval, bins, > 0
+    double reach = 0.005;  ///< distance at which a pixel counts 1/e, as a share of the image's diagonal, > 0
+    double relative = 0.8; ///< width of the interval around a pixel's own intensity, as a share of that intensity, > 0
+    double narrowest = 2;  ///< least width of that interval, bins, > 0
 };
 
 /** @brief Illumination-invariant image by locality-sensitive histograms (He et al. 2013).

@@ -2,12 +2,10 @@
 #ifndef GCPW_EVALUATION_RESULTS_HPP
 #define GCPW_EVALUATION_RESULTS_HPP
 
-#include <fstream>
 #include <map>
-#include <mutex>
 #include <string>
 #include <tuple>
-#include <vector>
+#include "evaluation/row_file.hpp"
 
 namespace evaluation
 {
@@ -38,37 +36,27 @@ struct RunResult
 
 typedef std::map<RunKey, RunResult> RunTable;
 
-/** @brief A table of results that survives an interruption: each row is in the file before the next is begun.
-
-The folder holds results.csv and, in options.txt, what the results depend on: resuming with other options is refused. */
+/// The runs of an experiment, in FOLDER/results.csv; see RowFile.
 class ResultsFile
 {
 public:
-    /** @brief Opens or begins the table of a folder.
-    @param options lines "name=value" of all that changes a result
-    @param fresh forgets what is there
-    @throws cv::Exception that names the option if the folder holds results of others, or if the file cannot be written
-    or is no such table */
-    ResultsFile(const std::string& folder, const std::vector<std::string>& options, bool fresh);
+    /// @throws cv::Exception as RowFile does, also if a cell of results.csv is not what its column says
+    ResultsFile(const std::string& folder, const Cells& options, bool fresh);
 
     bool has(const RunKey& key) const;
 
-    /// Adds a row and flushes it. Threads may call it together. @throws cv::Exception if it cannot be written
+    /// Adds a run and flushes it. Threads may call it together.
     void append(const RunKey& key, const RunResult& result);
 
-    /// Writes all rows anew in the order of their keys, so that the file does not tell who finished first.
-    void sort();
+    /// Puts the file in the order of its keys.
+    void sort() { file_.sort(); }
 
-    /// Call it when no other thread appends.
-    const RunTable& rows() const { return rows_; }
+    /// As they stand in the file, so that it does not matter whether the work was interrupted. Call it when no other
+    /// thread appends.
+    RunTable rows() const;
 
 private:
-    void writeAll();
-
-    std::string path_;
-    std::ofstream file_;
-    mutable std::mutex mutex_;
-    RunTable rows_;
+    RowFile file_;
 };
 
 } // namespace evaluation

@@ -1,6 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 //
-// Compares the methods on a folder of pairs: the paper's two experiments.
+// Compares the methods on a folder of pairs, the paper's two experiments, and panoramas with those of OpenCV alone.
+#include <filesystem>
 #include <iostream>
 #include <set>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "evaluation/color_variation.hpp"
 #include "evaluation/contact_sheet.hpp"
 #include "evaluation/experiment.hpp"
+#include "evaluation/image_sets.hpp"
 #include "evaluation/tables.hpp"
 
 using evaluation::PairMethod;
@@ -20,7 +22,8 @@ namespace
 const char* const KEYS =
     "{help h usage ? |                  | this text }"
     "{pairs          |                  | folder with a folder a pair, each with photographs 01.* (source) and 02.* (target) }"
-    "{out            | build/evaluation | folder for results.csv, report.md and sheets; finished rows in it are kept }"
+    "{sets           |                  | folder with a folder a panorama: stitched by OpenCV alone and with GCPW }"
+    "{out            | build/evaluation | folder for tables and sheets; finished rows in it are kept }"
     "{methods        | all              | comma-separated: global, apap, cpw, dfw, mfw, lsh_mfw, ros_mfw, gcpw }"
     "{degrees        | 0..16            | of synthetic colour variation: 0..16, or 0,4,8 }"
     "{max_megapix    | 0.48             | photographs are scaled down to this, million pixels }"
@@ -35,6 +38,8 @@ struct Job
 {
     evaluation::Experiment experiment;
     std::vector<std::string> options; ///< what the results depend on
+    std::vector<evaluation::ImageSet> sets;
+    std::vector<std::string> stitch_options; ///< for gcpw_stitch
     bool fresh = false;
     bool sheets = true;
 };
@@ -96,9 +101,13 @@ Job parse(const cv::CommandLineParser& parser)
     Job job;
     evaluation::Experiment& experiment = job.experiment;
     const std::string pairs = parser.get<std::string>("pairs");
-    if (pairs.empty())
-        throw WrongUse("photographs are needed: gcpw_evaluate --pairs=FOLDER; --help lists the options");
-    experiment.pairs = evaluation::findPairs(pairs);
+    const std::string sets = parser.get<std::string>("sets");
+    if (pairs.empty() && sets.empty())
+        throw WrongUse("photographs are needed: gcpw_evaluate --pairs=FOLDER or --sets=FOLDER; --help lists the options");
+    if (!pairs.empty())
+        experiment.pairs = evaluation::findPairs(pairs);
+    if (!sets.empty())
+        job.sets = evaluation::findSets(sets);
     experiment.folder = parser.get<std::string>("out");
     experiment.methods = methodsOf(parser.get<std::string>("methods"));
     experiment.degrees = degreesOf(parser.get<std::string>("degrees"));
@@ -108,7 +117,12 @@ Job parse(const cv::CommandLineParser& parser)
     job.sheets = !parser.has("no_sheets");
     if (parser.has("paper"))
         experiment.params = cv::gcpw::Params::paper();
-    applySettings(parser.get<std::string>("set"), experiment.params);
+    const std::string settings = parser.get<std::string>("set");
+    applySettings(settings, experiment.params);
+    if (!job.sets.empty() && parser.has("paper"))
+        throw WrongUse("--paper is for pairs; gcpw_stitch takes --set");
+    if (!settings.empty())
+        job.stitch_options.push_back("--set=" + settings);
     if (!parser.check())
     {
         parser.printErrors();
@@ -140,27 +154,47 @@ void showProgress(int done, int total)
     std::cerr.flush();
 }
 
-int evaluate(const Job& job)
+int evaluatePairs(const Job& job)
 {
-    cv::setNumThreads(1); // a worker is a thread: no matter how many there are, each run is the same
     const evaluation::Experiment& experiment = job.experiment;
     evaluation::ResultsFile results(experiment.folder, job.options, job.fresh);
     const std::vector<std::string> complaints = evaluation::run(experiment, results, showProgress);
     for (const std::string& complaint : complaints)
         std::cerr << "gcpw_evaluate: " << complaint << '\n';
     const std::string report = experiment.folder + "/report.md";
-    writeText(report, evaluation::markdownPage(results.rows(), experiment.methods));
+    const evaluation::RunTable rows = results.rows();
+    writeText(report, evaluation::markdownPage(rows, experiment.methods));
     std::cout << report << " and results.csv written\n";
     if (job.sheets && experiment.degrees.front() == 0)
     {
         const std::string folder = experiment.folder + "/sheets";
         makeFolder(folder);
         for (const evaluation::PairFiles& pair : experiment.pairs)
-            if (const cv::Mat sheet = evaluation::contactSheet(experiment, pair, results.rows()); !sheet.empty())
+            if (const cv::Mat sheet = evaluation::contactSheet(experiment, pair, rows); !sheet.empty())
                 writeImage(folder + "/" + pair.name + ".jpg", sheet);
         std::cout << folder << " written\n";
     }
     return complaints.empty() ? EXIT_STITCHED : EXIT_NO_ALIGNMENT;
+}
+
+/// @param program path of gcpw_stitch
+void evaluateSets(const Job& job, const std::string& program)
+{
+    const std::string report = job.experiment.folder + "/sets.md";
+    const auto say = [](const std::string& set, const std::string& method)
+    { std::cerr << "stitching " << set << (method == "none" ? " with OpenCV alone\n" : " with GCPW\n"); };
+    writeText(report, evaluation::stitchSets(job.sets, program, job.stitch_options, job.experiment.folder, job.fresh, say));
+    std::cout << report << " and sets.csv written\n";
+}
+
+/// The program of this name beside this one.
+std::string siblingOf(const char* self, const std::string& name)
+{
+    std::error_code error;
+    std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error)
+        path = self;
+    return (path.parent_path() / name).string();
 }
 
 } // namespace
@@ -178,6 +212,11 @@ int main(int argc, char** argv)
             return static_cast<int>(EXIT_STITCHED);
         }
         checkOptions(argc, argv, KEYS);
-        return evaluate(parse(parser));
+        const Job job = parse(parser);
+        cv::setNumThreads(1); // a worker is a thread: no matter how many there are, each run is the same
+        const int code = job.experiment.pairs.empty() ? static_cast<int>(EXIT_STITCHED) : evaluatePairs(job);
+        if (!job.sets.empty())
+            evaluateSets(job, siblingOf(argv[0], "gcpw_stitch"));
+        return code;
     });
 }

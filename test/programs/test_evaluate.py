@@ -38,7 +38,7 @@ def main():
     whole = rows()
     assert len(whole) == 2 * (4 + 4 * 2), whole
     assert all(row["status"] == "ok" for row in whole), whole
-    score = {row["method"]: float(row["zncc"]) for row in whole if row["pair"] == "a" and row["degree"] == "0"}
+    score = {row["method"]: float(row["zncc"]) for row in whole if row["pair"] == "a" and row["degree"] == "00"}
     assert all(value < score["global"] for method, value in score.items() if method != "global"), score
     assert all(row["folds"] == "0" for row in whole if row["method"] == "gcpw"), whole
     report = (OUT / "report.md").read_text(encoding="utf-8")
