@@ -5,6 +5,7 @@
 #include "common/json.hpp"
 #include "common/program.hpp"
 #include "common/synthetic_pair.hpp"
+#include "evaluation/methods.hpp"
 
 using namespace cv::gcpw;
 
@@ -15,7 +16,7 @@ const char* const KEYS =
     "{help h usage ? |           | this text }"
     "{@source        |           | photograph that is warped }"
     "{@target        |           | photograph that keeps its place; its frame is the canvas }"
-    "{method         | gcpw      | global, cpw, dfw, mfw or gcpw }"
+    "{method         | gcpw      | gcpw, its special cases global, cpw, dfw, mfw, or a rival: apap, lsh_mfw, ros_mfw }"
     "{output         | pano.png  | the panorama }"
     "{dump           |           | folder for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png }"
     "{report         |           | JSON file with scores, timings and what happened }"
@@ -38,6 +39,7 @@ struct Job
     std::string report;
     Blend blend = Blend::MULTIBAND;
     Params params;
+    const evaluation::PairMethod* method = nullptr;
 };
 
 Job parse(const cv::CommandLineParser& parser)
@@ -57,7 +59,10 @@ Job parse(const cv::CommandLineParser& parser)
     job.blend = blend == "average" ? Blend::AVERAGE : Blend::MULTIBAND;
     if (parser.has("paper"))
         job.params = Params::paper();
-    job.params.method = methodOf(parser.get<std::string>("method"));
+    const std::string method = parser.get<std::string>("method");
+    job.method = evaluation::findPairMethod(method);
+    if (!job.method)
+        throw WrongUse("unknown method '" + method + "'; there are " + evaluation::pairMethodNames());
     if (parser.has("work_megapix"))
         job.params.workMegapix = parser.get<double>("work_megapix");
     applySettings(parser.get<std::string>("set"), job.params);
@@ -87,11 +92,11 @@ void addScore(Json& json, const std::string& key, const Score& score)
 }
 
 /// @param before, after null where nothing was rendered
-std::string reportText(const Report& report, Method method, const Score* before, const Score* after, double render_ms)
+std::string reportText(const Report& report, const char* method, const Score* before, const Score* after, double render_ms)
 {
     Json json;
     json.beginObject();
-    json.add("status", nameOf(report.status)).add("message", report.message).add("method", nameOf(method));
+    json.add("status", nameOf(report.status)).add("message", report.message).add("method", method);
     json.add("points", report.pairs.empty() ? 0 : report.pairs[0].points);
     json.add("lines", report.pairs.empty() ? 0 : report.pairs[0].lines);
     json.add("folds", report.folds).add("max_displacement_px", report.max_displacement_px);
@@ -139,13 +144,14 @@ int stitch(const Job& job)
     if (shown.size() != source.size())
         throw WrongUse(job.render_source + " must have the size of " + job.source);
     const Progress progress = terminalProgress();
-    const Alignment alignment = alignPair(source, target, job.params, progress);
+    const PairMatches matches = findPairMatches(source, target, job.params, progress);
+    const Alignment alignment = job.method->align(source, target, matches, job.params, progress);
     const Report& report = alignment.report();
     if (report.status == Status::NO_ALIGNMENT)
     {
         endProgress();
         if (!job.report.empty())
-            writeText(job.report, reportText(report, job.params.method, nullptr, nullptr, 0));
+            writeText(job.report, reportText(report, job.method->name, nullptr, nullptr, 0));
         std::cerr << "gcpw_pair: " << report.message << '\n';
         return EXIT_NO_ALIGNMENT;
     }
@@ -163,7 +169,7 @@ int stitch(const Job& job)
     if (!job.report.empty())
     {
         const Score before = scorePair(renderPair(alignment.rough(), shown, target));
-        writeText(job.report, reportText(report, job.params.method, &before, &after, render.getTimeMilli()));
+        writeText(job.report, reportText(report, job.method->name, &before, &after, render.getTimeMilli()));
     }
     endProgress();
     if (!report.message.empty())

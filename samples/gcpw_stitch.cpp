@@ -32,7 +32,7 @@ const char* const KEYS =
     "{match_conf      | 0.65        | confidence of a feature match }"
     "{rangewidth      | -1          | match only images this near to each other in the list; -1 all }"
     "{reference       | -1          | number of the image that keeps its place, 1-based; -1 chooses }"
-    "{dump            |             | folder for the warped images, colours untouched: 000_image.png, 000_mask.png, corners.csv }"
+    "{dump            |             | folder for the warped images: 000_image.png, 000_corrected.png, 000_mask.png, corners.csv }"
     "{report          |             | JSON file with timings and what happened }"
     "{save_model      |             | file for cameras, meshes and colours: .yml, .json, also with .gz }"
     "{load_model      |             | use such a file instead of estimating }"
@@ -124,7 +124,7 @@ std::vector<cv::Mat> readAll(const std::vector<std::string>& paths)
     return images;
 }
 
-/// Writes the warped images of a finished stitcher at compose scale, colours untouched.
+/// Writes the warped images of a finished stitcher at compose scale, with their colours untouched and corrected.
 void dumpWarped(const std::string& folder, cv::Stitcher& stitcher, const std::vector<cv::Mat>& images)
 {
     makeFolder(folder);
@@ -160,6 +160,8 @@ void dumpWarped(const std::string& folder, cv::Stitcher& stitcher, const std::ve
         const std::string number = cv::format("%03d", component[k]);
         writeImage(folder + "/" + number + "_image.png", warped);
         writeImage(folder + "/" + number + "_mask.png", mask);
+        stitcher.exposureCompensator()->apply(static_cast<int>(k), corner, warped, mask);
+        writeImage(folder + "/" + number + "_corrected.png", warped);
         corners += cv::format("%s,%d,%d\n", number.c_str(), corner.x, corner.y);
     }
     writeText(folder + "/corners.csv", corners);

@@ -4,8 +4,8 @@
 Usage: includes_point_down.py REPOSITORY
 
 A room of modules/gcpw/src may include itself and rooms of lower floors. Rooms of one floor do not know each other.
-Eigen stays in the energy room. Public headers know nothing private, the sources know nothing of samples and tests, and
-samples know only public headers."""
+Eigen stays in the energy room. Public headers know nothing private, the sources know nothing of evaluation, samples and
+tests. The evaluation library knows only public headers and itself, samples know both."""
 import pathlib
 import posixpath
 import re
@@ -22,7 +22,8 @@ FLOORS = {
     "adapters": 5,
 }
 EIGEN_ROOM = "energy"
-OUTSIDE = ("samples", "test", "perf", "common")
+OUTSIDE = ("evaluation", "samples", "test", "perf", "common")
+ABOVE_EVALUATION = ("samples", "test", "perf", "common")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 SUFFIXES = {".hpp", ".cpp", ".h", ".inl"}
 
@@ -59,7 +60,7 @@ def fault_in_source(src, path, quote, name):
     if quote == '"' and landing.startswith("../"):
         return "leads out of src/"
     if posixpath.normpath(name).split("/")[0] in OUTSIDE:
-        return "the module does not know samples and tests"
+        return "the module does not know evaluation, samples and tests"
     target = room_of(name, place.parent.as_posix() if quote == '"' else "")
     if not target or target == room:
         return ""
@@ -70,8 +71,10 @@ def fault_in_source(src, path, quote, name):
     return ""
 
 
-def fault_in_public(name):
-    """Of a public header or a sample."""
+def fault_in_public(name, above):
+    """Of a file that knows nothing private. `above`: the folders it may not know either."""
+    if posixpath.normpath(name).split("/")[0] in above:
+        return "points up"
     if is_eigen(name):
         return f"Eigen belongs in {EIGEN_ROOM}/ only"
     if room_of(name) or "src/" in name:
@@ -91,10 +94,10 @@ def faults(repository):
             fault = fault_in_source(src, path, quote, name)
             if fault:
                 yield f"{path}:{line}: {name}: {fault}"
-    for folder in (module / "include", repository / "samples"):
+    for folder, above in ((module / "include", OUTSIDE), (repository / "evaluation", ABOVE_EVALUATION), (repository / "samples", ())):
         for path in files_under(folder):
             for line, _, name in includes_of(path):
-                fault = fault_in_public(name)
+                fault = fault_in_public(name, above)
                 if fault:
                     yield f"{path}:{line}: {name}: {fault}"
 

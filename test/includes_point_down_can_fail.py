@@ -26,13 +26,19 @@ PLANTS = [
     (SRC + "planted.hpp", "<vector>", True),
     (INCLUDE + "planted.hpp", "<Eigen/Core>", True),
     (INCLUDE + "planted.hpp", '"model/mesh_grid.hpp"', True),
+    (SRC + "pipeline/planted.cpp", '"evaluation/apap.hpp"', True),
+    (INCLUDE + "planted.hpp", '"evaluation/apap.hpp"', True),
+    ("evaluation/planted.cpp", '"energy/solver.hpp"', True),
+    ("evaluation/planted.cpp", '"common/report.hpp"', True),
     ("samples/planted.cpp", '"energy/solver.hpp"', True),
     (SRC + "adapters/planted.cpp", '"geometry/lattice.hpp"', False),
     (SRC + "terms/planted.cpp", '"terms/point_term.hpp"', False),
     (SRC + "terms/planted.cpp", '"point_term.hpp"', False),
     (SRC + "energy/planted.cpp", "<Eigen/SparseCholesky>", False),
     (SRC + "pipeline/planted.cpp", "<opencv2/gcpw.hpp>", False),
+    ("evaluation/planted.cpp", '"evaluation/apap.hpp"', False),
     ("samples/planted.cpp", '"common/report.hpp"', False),
+    ("samples/planted.cpp", '"evaluation/apap.hpp"', False),
 ]
 
 
@@ -60,7 +66,7 @@ def main(arguments):
     repository = pathlib.Path(arguments[1])
     with tempfile.TemporaryDirectory() as scratch:
         copy = pathlib.Path(scratch)
-        for folder in ("modules/gcpw/src", "modules/gcpw/include", "samples"):
+        for folder in ("modules/gcpw/src", "modules/gcpw/include", "evaluation", "samples"):
             shutil.copytree(repository / folder, copy / folder)
         wrong = list(wrong_answers(copy))
     for answer in wrong:

@@ -11,18 +11,11 @@
 #include <unistd.h>
 
 namespace fs = std::filesystem;
-using cv::gcpw::Method;
 using cv::gcpw::Params;
 using cv::gcpw::Status;
 
 namespace
 {
-
-const std::pair<const char*, Method> METHODS[] = {{"global", Method::GLOBAL},
-                                                  {"cpw", Method::CPW},
-                                                  {"dfw", Method::DFW},
-                                                  {"mfw", Method::MFW},
-                                                  {"gcpw", Method::GCPW}};
 
 /// Path of the temporary file: the same folder and the same ending, which cv::imwrite chooses the format by.
 fs::path partialOf(const fs::path& path)
@@ -119,26 +112,6 @@ void makeFolder(const std::string& path)
     fs::create_directories(path, error);
     if (!fs::is_directory(path))
         throw WrongUse("cannot make the folder " + path);
-}
-
-Method methodOf(const std::string& name)
-{
-    std::string known;
-    for (const auto& method : METHODS)
-    {
-        if (name == method.first)
-            return method.second;
-        known += known.empty() ? method.first : std::string(", ") + method.first;
-    }
-    throw WrongUse("unknown method '" + name + "'; there are " + known);
-}
-
-std::string nameOf(Method method)
-{
-    for (const auto& known : METHODS)
-        if (known.second == method)
-            return known.first;
-    return "unknown";
 }
 
 std::string nameOf(Status status)

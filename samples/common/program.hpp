@@ -40,10 +40,6 @@ void writeText(const std::string& path, const std::string& text);
 /// Makes a folder and its parents. Throws WrongUse.
 void makeFolder(const std::string& path);
 
-/// Method of a name: global, cpw, dfw, mfw, gcpw. Throws WrongUse that lists them.
-cv::gcpw::Method methodOf(const std::string& name);
-std::string nameOf(cv::gcpw::Method method);
-
 /// "ok", "rough", "no_alignment", "cancelled".
 std::string nameOf(cv::gcpw::Status status);
 

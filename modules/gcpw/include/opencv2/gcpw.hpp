@@ -17,6 +17,7 @@ panorama. Estimation happens at the working resolution (Params::workMegapix), re
 | alignment.hpp | Alignment: meshes, colours, report |
 | aligner.hpp | Aligner: any number of roughly aligned images |
 | pair.hpp | alignPair, stitchPair: two photographs |
+| pair_matches.hpp | PairMatches: what two photographs have in common, found once |
 | stitcher.hpp | attach: GCPW inside cv::Stitcher |
 | rig.hpp | Rig: an alignment with its cameras, for many frames |
 | warper.hpp | GcpwWarper: the mesh behind any base warper |
@@ -27,6 +28,7 @@ panorama. Estimation happens at the working resolution (Params::workMegapix), re
 #include "opencv2/gcpw/alignment.hpp"
 #include "opencv2/gcpw/compensator.hpp"
 #include "opencv2/gcpw/pair.hpp"
+#include "opencv2/gcpw/pair_matches.hpp"
 #include "opencv2/gcpw/params.hpp"
 #include "opencv2/gcpw/rig.hpp"
 #include "opencv2/gcpw/stitcher.hpp"

@@ -2,7 +2,7 @@
 #ifndef OPENCV_GCPW_PAIR_HPP
 #define OPENCV_GCPW_PAIR_HPP
 
-#include "opencv2/gcpw/alignment.hpp"
+#include "opencv2/gcpw/pair_matches.hpp"
 
 namespace cv
 {
@@ -22,6 +22,17 @@ canvas is the target's own frame.
 @return image 0 is the source, image 1 the target (at rest). Status NO_ALIGNMENT if the photographs do not match
 @throws cv::Exception if an image is empty or of a type not listed, or params are out of range */
 CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const Params& params = Params(),
+                               const Progress& progress = Progress());
+
+/** @brief The same with matches that are known already.
+
+Matches hold where the photographs show the same things, so the images may be recoloured or filtered copies of those that
+were matched: then the pixels are compared as the copies show them, and renderPair() takes either.
+@param source, target as above, of the sizes that `matches` names
+@param matches from findPairMatches(), or the caller's own. The methods use of them what they know: Method::CPW no lines,
+Method::GLOBAL only the homography
+@throws cv::Exception also if sizes or counts of the matches do not fit */
+CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const PairMatches& matches, const Params& params = Params(),
                                const Progress& progress = Progress());
 
 /// How the two images become one picture.

@@ -1,0 +1,45 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "evaluation/child_process.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <opencv2/core.hpp>
+#include <opencv2/core/utility.hpp>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace evaluation
+{
+
+ChildResult runProgram(const std::string& program, const std::vector<std::string>& arguments)
+{
+    std::vector<char*> argv(1, const_cast<char*>(program.c_str())); // posix_spawn does not write to them
+    for (const std::string& argument : arguments)
+        argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    cv::TickMeter clock;
+    clock.start();
+    pid_t child = 0;
+    const int failed = posix_spawn(&child, program.c_str(), &files, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (failed)
+        CV_Error(cv::Error::StsError, "cannot run " + program + "; is it built?");
+    int status = 0;
+    rusage usage = {};
+    while (wait4(child, &status, 0, &usage) < 0)
+        if (errno != EINTR)
+            CV_Error(cv::Error::StsError, "lost sight of " + program);
+    clock.stop();
+    ChildResult result;
+    result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    result.seconds = clock.getTimeSec();
+    result.peak_mb = static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts KiB
+    return result;
+}
+
+} // namespace evaluation

@@ -1,0 +1,26 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef GCPW_EVALUATION_CHILD_PROCESS_HPP
+#define GCPW_EVALUATION_CHILD_PROCESS_HPP
+
+#include <string>
+#include <vector>
+
+namespace evaluation
+{
+
+/// What a program was, once it has ended.
+struct ChildResult
+{
+    int exit_code = 0; ///< 128 + signal if it was killed
+    double seconds = 0; ///< wall time
+    double peak_mb = 0; ///< largest resident memory, MiB
+};
+
+/** @brief Runs a program and waits for it; its standard output is dropped.
+@param arguments without the program itself
+@throws cv::Exception if it cannot be started */
+ChildResult runProgram(const std::string& program, const std::vector<std::string>& arguments);
+
+} // namespace evaluation
+
+#endif

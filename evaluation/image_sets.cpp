@@ -1,0 +1,200 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "evaluation/image_sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <opencv2/gcpw/pair.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include "evaluation/child_process.hpp"
+#include "evaluation/pair_folder.hpp"
+
+namespace fs = std::filesystem;
+
+namespace evaluation
+{
+
+namespace
+{
+
+const int MIN_OVERLAP = 2000; ///< px; less says little
+const Cells COLUMNS = {"set", "method", "exit_code", "images", "kept", "pairs", "ncc", "zncc", "color_difference", "seconds", "peak_mb"};
+const size_t KEY_COLUMNS = 2;
+
+/// One warped image on the canvas.
+struct Warped
+{
+    cv::Rect place;
+    cv::Mat image;
+    cv::Mat corrected;
+    cv::Mat mask; ///< 255 or 0
+};
+
+cv::Mat readPart(const std::string& path, int flags, cv::Size size)
+{
+    const cv::Mat image = cv::imread(path, flags);
+    if (image.empty() || (!size.empty() && image.size() != size))
+        CV_Error(cv::Error::StsUnmatchedSizes, path + " is missing or does not fit its image");
+    return image;
+}
+
+std::vector<Warped> readDump(const std::string& folder)
+{
+    std::ifstream corners(folder + "/corners.csv");
+    if (!corners)
+        CV_Error(cv::Error::StsObjectNotFound, "there is no " + folder + "/corners.csv");
+    std::vector<Warped> dump;
+    for (std::string line; std::getline(corners, line);)
+    {
+        char number[32];
+        Warped item;
+        if (std::sscanf(line.c_str(), "%31[^,],%d,%d", number, &item.place.x, &item.place.y) != 3)
+            CV_Error(cv::Error::StsParseError, folder + "/corners.csv: '" + line + "' is not k,x,y");
+        const std::string stem = folder + "/" + number;
+        item.image = readPart(stem + "_image.png", cv::IMREAD_COLOR, cv::Size());
+        item.corrected = readPart(stem + "_corrected.png", cv::IMREAD_COLOR, item.image.size());
+        item.mask = readPart(stem + "_mask.png", cv::IMREAD_GRAYSCALE, item.image.size()) > 127;
+        item.place = cv::Rect(item.place.tl(), item.image.size());
+        dump.push_back(item);
+    }
+    return dump;
+}
+
+std::string numberOrDash(const std::string& cell, const char* form)
+{
+    const double value = std::atof(cell.c_str());
+    return std::isfinite(value) ? cv::format(form, value) : std::string("-");
+}
+
+std::string markdownTable(const std::map<Cells, Cells>& rows)
+{
+    std::string table = "# Evaluation of sets\n\n`none` is cv::Stitcher alone. Lower is better for all but the images kept.\n\n"
+                        "| set | method | images kept | zncc | ncc | colour difference | seconds | peak MiB |\n"
+                        "|---|---|---:|---:|---:|---:|---:|---:|\n";
+    for (const auto& item : rows)
+    {
+        const Cells& row = item.second;
+        table += "| " + row[0] + " | " + row[1] + " | " + row[4] + " of " + row[3] + " | " + numberOrDash(row[7], "%.1f") + " | " +
+                 numberOrDash(row[6], "%.2f") + " | " + numberOrDash(row[8], "%.1f") + " | " + numberOrDash(row[9], "%.1f") + " | " +
+                 numberOrDash(row[10], "%.0f") + " |\n";
+    }
+    return table;
+}
+
+/// The row of one set by one method.
+Cells stitchOne(const ImageSet& set, const std::string& method, const std::string& program,
+                const std::vector<std::string>& arguments, const std::string& folder)
+{
+    const std::string place = folder + "/sets/" + set.name + "/" + method;
+    fs::remove_all(place);
+    makeFolder(place);
+    std::vector<std::string> command = set.images;
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    command.push_back("--method=" + method);
+    command.push_back("--output=" + place + "/panorama.jpg");
+    const ChildResult timed = runProgram(program, command); // without the dump, which costs time and memory of its own
+    SetScore score;
+    score.ncc = score.zncc = score.color_difference = std::numeric_limits<double>::quiet_NaN();
+    if (timed.exit_code > 1)
+        CV_Error(cv::Error::StsError, cv::format("%s ended with %d on the set %s", program.c_str(), timed.exit_code, set.name.c_str()));
+    if (timed.exit_code == 0)
+    {
+        command.push_back("--dump=" + place);
+        runProgram(program, command);
+        score = scoreDump(place);
+    }
+    return {set.name, method, std::to_string(timed.exit_code), std::to_string(set.images.size()), std::to_string(score.images),
+            std::to_string(score.pairs), cv::format("%.6f", score.ncc), cv::format("%.6f", score.zncc),
+            cv::format("%.6f", score.color_difference), cv::format("%.2f", timed.seconds), cv::format("%.1f", timed.peak_mb)};
+}
+
+} // namespace
+
+std::vector<ImageSet> findSets(const std::string& folder)
+{
+    std::error_code error;
+    if (!fs::is_directory(folder, error))
+        CV_Error(cv::Error::StsObjectNotFound, "there is no folder " + folder);
+    std::vector<ImageSet> sets;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    {
+        if (!entry.is_directory())
+            continue;
+        ImageSet set;
+        set.name = entry.path().filename().string();
+        for (const fs::directory_entry& file : fs::directory_iterator(entry.path()))
+            if (file.is_regular_file() && cv::haveImageReader(file.path().string()))
+                set.images.push_back(file.path().string());
+        std::sort(set.images.begin(), set.images.end());
+        if (set.images.size() >= 2)
+            sets.push_back(set);
+    }
+    if (sets.empty())
+        CV_Error(cv::Error::StsObjectNotFound, folder + " holds no sets; it needs a folder a set, each with two images or more");
+    std::sort(sets.begin(), sets.end(), [](const ImageSet& a, const ImageSet& b) { return a.name < b.name; });
+    return sets;
+}
+
+SetScore scoreDump(const std::string& folder)
+{
+    const std::vector<Warped> dump = readDump(folder);
+    SetScore score;
+    score.images = static_cast<int>(dump.size());
+    double weight = 0;
+    for (size_t i = 0; i < dump.size(); ++i)
+        for (size_t j = i + 1; j < dump.size(); ++j)
+        {
+            const cv::Rect common = dump[i].place & dump[j].place;
+            if (common.empty())
+                continue;
+            const cv::Rect a = common - dump[i].place.tl();
+            const cv::Rect b = common - dump[j].place.tl();
+            cv::gcpw::PairCanvas canvas;
+            canvas.source = dump[i].image(a);
+            canvas.source_mask = dump[i].mask(a);
+            canvas.target = dump[j].image(b);
+            canvas.target_mask = dump[j].mask(b);
+            const cv::Mat overlap = canvas.source_mask & canvas.target_mask;
+            const int area = cv::countNonZero(overlap);
+            const cv::gcpw::Score pair = area < MIN_OVERLAP ? cv::gcpw::Score() : cv::gcpw::scorePair(canvas);
+            if (area < MIN_OVERLAP || !std::isfinite(pair.ncc) || !std::isfinite(pair.zncc))
+                continue;
+            cv::Mat difference;
+            cv::absdiff(dump[i].corrected(a), dump[j].corrected(b), difference);
+            const cv::Scalar mean = cv::mean(difference, overlap);
+            score.ncc += area * pair.ncc;
+            score.zncc += area * pair.zncc;
+            score.color_difference += area * (mean[0] + mean[1] + mean[2]) / 3;
+            weight += area;
+            ++score.pairs;
+        }
+    for (double* sum : {&score.ncc, &score.zncc, &score.color_difference})
+        *sum = weight > 0 ? *sum / weight : std::numeric_limits<double>::quiet_NaN();
+    return score;
+}
+
+std::string stitchSets(const std::vector<ImageSet>& sets, const std::string& program, const std::vector<std::string>& arguments,
+                       const std::string& folder, bool fresh,
+                       const std::function<void(const std::string& set, const std::string& method)>& progress)
+{
+    Cells options;
+    for (const std::string& argument : arguments)
+        options.push_back(argument.substr(argument.find_first_not_of('-')));
+    RowFile file(folder, "sets", COLUMNS, KEY_COLUMNS, options, fresh);
+    for (const ImageSet& set : sets)
+        for (const std::string method : {"none", "gcpw"})
+        {
+            if (file.has({set.name, method}))
+                continue;
+            if (progress)
+                progress(set.name, method);
+            file.append(stitchOne(set, method, program, arguments, folder));
+        }
+    file.sort();
+    return markdownTable(file.rows());
+}
+
+} // namespace evaluation

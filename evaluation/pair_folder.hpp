@@ -1,0 +1,34 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef GCPW_EVALUATION_PAIR_FOLDER_HPP
+#define GCPW_EVALUATION_PAIR_FOLDER_HPP
+
+#include <string>
+#include <vector>
+#include <opencv2/core.hpp>
+
+namespace evaluation
+{
+
+/// Two photographs to be aligned.
+struct PairFiles
+{
+    std::string name;   ///< of the folder that holds them
+    std::string source; ///< path of 01.*
+    std::string target; ///< path of 02.*
+};
+
+/** @brief The pairs of a folder: one folder for each pair, with a photograph 01.* (source) and one 02.* (target).
+@return sorted by name
+@throws cv::Exception that names the folder if there is none, it holds no pair, or a photograph is missing */
+std::vector<PairFiles> findPairs(const std::string& folder);
+
+/** @brief Reads a photograph as CV_8UC3, scaled down to at most `megapix` million pixels (area average).
+@throws cv::Exception that names the file if it cannot be read, or megapix is not above 0 */
+cv::Mat readCapped(const std::string& path, double megapix);
+
+/** @brief Makes a folder and its parents. @throws cv::Exception that names it */
+void makeFolder(const std::string& path);
+
+} // namespace evaluation
+
+#endif

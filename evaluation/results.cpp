@@ -1,0 +1,70 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "evaluation/results.hpp"
+
+#include <cstdlib>
+#include <opencv2/core.hpp>
+
+namespace evaluation
+{
+
+namespace
+{
+
+const Cells COLUMNS = {"pair", "method", "degree", "status", "ncc", "zncc", "folds", "align_ms", "match_ms"};
+const size_t KEY_COLUMNS = 3;
+
+Cells keyCells(const RunKey& key)
+{
+    return {key.pair, key.method, cv::format("%02d", key.degree)}; // two digits, so that the order of text is that of numbers
+}
+
+double numberOf(const Cells& row, size_t column)
+{
+    char* end = nullptr;
+    const double value = std::strtod(row[column].c_str(), &end);
+    if (row[column].empty() || *end != '\0')
+        CV_Error(cv::Error::StsParseError, "results.csv: '" + row[column] + "' is no " + COLUMNS[column] + "; remove its row, or --fresh");
+    return value;
+}
+
+} // namespace
+
+ResultsFile::ResultsFile(const std::string& folder, const Cells& options, bool fresh)
+    : file_(folder, "results", COLUMNS, KEY_COLUMNS, options, fresh)
+{
+    rows(); // complains before any work
+}
+
+bool ResultsFile::has(const RunKey& key) const
+{
+    return file_.has(keyCells(key));
+}
+
+void ResultsFile::append(const RunKey& key, const RunResult& r)
+{
+    Cells row = keyCells(key);
+    for (const std::string& cell : {r.status, cv::format("%.6f", r.ncc), cv::format("%.6f", r.zncc), std::to_string(r.folds),
+                                    cv::format("%.1f", r.align_ms), cv::format("%.1f", r.match_ms)})
+        row.push_back(cell);
+    file_.append(row);
+}
+
+RunTable ResultsFile::rows() const
+{
+    RunTable table;
+    for (const auto& item : file_.rows())
+    {
+        const Cells& row = item.second;
+        RunResult result;
+        result.status = row[3];
+        result.ncc = numberOf(row, 4);
+        result.zncc = numberOf(row, 5);
+        result.folds = static_cast<int>(numberOf(row, 6));
+        result.align_ms = numberOf(row, 7);
+        result.match_ms = numberOf(row, 8);
+        table[{row[0], row[1], static_cast<int>(numberOf(row, 2))}] = result;
+    }
+    return table;
+}
+
+} // namespace evaluation

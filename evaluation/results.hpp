@@ -1,0 +1,64 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef GCPW_EVALUATION_RESULTS_HPP
+#define GCPW_EVALUATION_RESULTS_HPP
+
+#include <map>
+#include <string>
+#include <tuple>
+#include "evaluation/row_file.hpp"
+
+namespace evaluation
+{
+
+/// What one run is: which method on which pair at which degree of colour variation.
+struct RunKey
+{
+    std::string pair;
+    std::string method;
+    int degree = 0;
+
+    bool operator<(const RunKey& other) const
+    {
+        return std::tie(pair, method, degree) < std::tie(other.pair, other.method, other.degree);
+    }
+};
+
+/// What one run gave.
+struct RunResult
+{
+    std::string status = "ok"; ///< "ok", "rough", "no_alignment" or "failed"; scores are NaN for the last two
+    double ncc = 0;
+    double zncc = 0;
+    int folds = 0;
+    double align_ms = 0; ///< all work after the matching
+    double match_ms = 0; ///< features and matching, shared by all runs of the pair
+};
+
+typedef std::map<RunKey, RunResult> RunTable;
+
+/// The runs of an experiment, in FOLDER/results.csv; see RowFile.
+class ResultsFile
+{
+public:
+    /// @throws cv::Exception as RowFile does, also if a cell of results.csv is not what its column says
+    ResultsFile(const std::string& folder, const Cells& options, bool fresh);
+
+    bool has(const RunKey& key) const;
+
+    /// Adds a run and flushes it. Threads may call it together.
+    void append(const RunKey& key, const RunResult& result);
+
+    /// Puts the file in the order of its keys.
+    void sort() { file_.sort(); }
+
+    /// As they stand in the file, so that it does not matter whether the work was interrupted. Call it when no other
+    /// thread appends.
+    RunTable rows() const;
+
+private:
+    RowFile file_;
+};
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+"""gcpw_evaluate end to end on a folder with one synthetic pair: test_evaluate.py PROGRAMS SCRATCH"""
+import csv
+import pathlib
+import shutil
+import subprocess
+import sys
+
+PROGRAMS, SCRATCH = (pathlib.Path(argument) for argument in sys.argv[1:3])
+OUT = SCRATCH / "out"
+TIMES = ("align_ms", "match_ms")
+
+
+def evaluate(*options, code=0):
+    command = [PROGRAMS / "gcpw_evaluate", f"--pairs={SCRATCH}/pairs", f"--out={OUT}", "--max_megapix=0.1", *options]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == code, f"{options}: exit code {done.returncode}, expected {code}\n{done.stdout}{done.stderr}"
+    return done.stderr
+
+
+def rows():
+    """Without the times, which differ from run to run."""
+    with open(OUT / "results.csv", encoding="utf-8", newline="") as file:
+        return [{key: value for key, value in row.items() if key not in TIMES} for row in csv.DictReader(file)]
+
+
+def main():
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    for name in ("a", "b"):
+        pair = SCRATCH / "pairs" / name
+        pair.mkdir(parents=True)
+        subprocess.run([PROGRAMS / "gcpw_pair", f"--synthetic={pair}"], check=True, stdout=subprocess.DEVNULL)
+        (pair / "source.png").rename(pair / "01.png")
+        (pair / "target.png").rename(pair / "02.png")
+
+    evaluate("--degrees=0,16", "--workers=2")
+    whole = rows()
+    assert len(whole) == 2 * (4 + 4 * 2), whole
+    assert all(row["status"] == "ok" for row in whole), whole
+    score = {row["method"]: float(row["zncc"]) for row in whole if row["pair"] == "a" and row["degree"] == "00"}
+    assert all(value < score["global"] for method, value in score.items() if method != "global"), score
+    assert all(row["folds"] == "0" for row in whole if row["method"] == "gcpw"), whole
+    report = (OUT / "report.md").read_text(encoding="utf-8")
+    assert "| pair | Global | APAP | CPW | DF-W | MF-W | LSH+MF-W | ROS+MF-W | GCPW |" in report, report
+    assert (OUT / "sheets" / "a.jpg").stat().st_size > 10000
+
+    # Interrupted after a few rows and a half, with another number of workers: the same table.
+    text = (OUT / "results.csv").read_text(encoding="utf-8")
+    (OUT / "results.csv").write_text(text[: len(text) // 2], encoding="utf-8")
+    evaluate("--degrees=0,16", "--workers=1", "--no_sheets")
+    assert rows() == whole
+
+    # More degrees are added to what is there; other options are not mixed with it.
+    evaluate("--degrees=0,8,16", "--methods=gcpw", "--no_sheets")
+    assert len(rows()) == len(whole) + 2
+    assert "meshCols was 32, is 16" in evaluate("--set=meshCols=16", code=2)
+    evaluate("--set=meshCols=16", "--degrees=0", "--methods=global", "--fresh", "--no_sheets")
+    assert len(rows()) == 2
+
+    assert "unknown method 'sift'" in evaluate("--methods=sift", code=2)
+    assert "--degrees takes" in evaluate("--degrees=0..17", code=2)
+    assert "no folder" in evaluate(f"--pairs={SCRATCH}/none", code=2)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
