@@ -38,6 +38,8 @@ ChildResult runProgram(const std::string& program, const std::vector<std::string
     ChildResult result;
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     result.seconds = clock.getTimeSec();
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime})
+        result.cpu_seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     result.peak_mb = static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts KiB
     return result;
 }

@@ -13,6 +13,7 @@ struct ChildResult
 {
     int exit_code = 0; ///< 128 + signal if it was killed
     double seconds = 0; ///< wall time
+    double cpu_seconds = 0; ///< processor time of all its threads, which the load of the machine hardly changes
     double peak_mb = 0; ///< largest resident memory, MiB
 };
 

@@ -30,8 +30,8 @@ struct RunResult
     double ncc = 0;
     double zncc = 0;
     int folds = 0;
-    double align_ms = 0; ///< all work after the matching
-    double match_ms = 0; ///< features and matching, shared by all runs of the pair
+    double align_ms = 0; ///< processor time of all work after the matching
+    double match_ms = 0; ///< the same of features and matching, shared by all runs of the pair
 };
 
 typedef std::map<RunKey, RunResult> RunTable;

@@ -212,7 +212,7 @@ std::string markdownPage(const RunTable& rows, const std::vector<const PairMetho
     page += "## Photographs as they are: ncc\n\n" + pairTable(runs, &RunResult::ncc, "%.2f");
     if (runs.degrees().size() > 1)
         page += "## Synthetic colour variation: mean zncc by degree\n\n" + degreeTable(runs);
-    page += "## Folds and time, all degrees\n\nTime is that of everything after the matching, one thread a run.\n\n" + costTable(runs);
+    page += "## Folds and time, all degrees\n\nProcessor time of everything after the matching, one thread a run.\n\n" + costTable(runs);
     return page;
 }
 

@@ -7,7 +7,7 @@ import sys
 
 WALL = 400
 NOT_OURS = {".git", ".cache", "build", "__pycache__"}
-DATA = {".png", ".jpg", ".jpeg", ".json", ".yml", ".xml", ".csv"}
+DATA = {".png", ".jpg", ".svg", ".jpeg", ".json", ".yml", ".xml", ".csv"}
 
 
 def text_files(folder):

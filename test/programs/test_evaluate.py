@@ -12,8 +12,10 @@ OUT = SCRATCH / "out"
 TIMES = ("align_ms", "match_ms")
 
 
-def evaluate(*options, code=0):
-    command = [PROGRAMS / "gcpw_evaluate", f"--pairs={SCRATCH}/pairs", f"--out={OUT}", "--max_megapix=0.1", *options]
+def evaluate(*options, code=0, pairs=True):
+    command = [PROGRAMS / "gcpw_evaluate", f"--out={OUT}", "--max_megapix=0.1"]
+    command += [f"--pairs={SCRATCH}/pairs"] if pairs else []
+    command += options
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == code, f"{options}: exit code {done.returncode}, expected {code}\n{done.stdout}{done.stderr}"
     return done.stderr
@@ -58,9 +60,22 @@ def main():
     evaluate("--set=meshCols=16", "--degrees=0", "--methods=global", "--fresh", "--no_sheets")
     assert len(rows()) == 2
 
+    # A set is stitched by both programs, and not again.
+    street = SCRATCH / "sets" / "street"
+    street.mkdir(parents=True)
+    for name in ("01.png", "02.png"):
+        shutil.copy(SCRATCH / "pairs" / "a" / name, street / name)
+    sets = f"--sets={SCRATCH}/sets"
+    assert "stitching street" in evaluate(sets, pairs=False)
+    table = (OUT / "sets.md").read_text(encoding="utf-8")
+    assert "| street | none | 2 of 2 |" in table and "| street | gcpw | 2 of 2 |" in table, table
+    assert "stitching street" not in evaluate(sets, pairs=False)
+    assert (OUT / "sets.md").read_text(encoding="utf-8") == table
+
     assert "unknown method 'sift'" in evaluate("--methods=sift", code=2)
     assert "--degrees takes" in evaluate("--degrees=0..17", code=2)
-    assert "no folder" in evaluate(f"--pairs={SCRATCH}/none", code=2)
+    assert "no folder" in evaluate(f"--pairs={SCRATCH}/none", code=2, pairs=False)
+    assert "photographs are needed" in evaluate(code=2, pairs=False)
     return 0
 
 
