@@ -29,7 +29,7 @@ enum class Method
 Lengths are pixels of the working resolution (workMegapix), intensities lie in [0, 1]. */
 struct CV_EXPORTS_W_SIMPLE Params
 {
-    CV_WRAP Params() {}
+    CV_WRAP Params() {} // NOLINT(modernize-use-equals-default): as OpenCV's binding generator reads it
 
     /// The constants of the paper and none of the additions: exactly its section 2.
     CV_WRAP static Params paper();

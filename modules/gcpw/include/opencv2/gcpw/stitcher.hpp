@@ -20,7 +20,7 @@ It does not keep the stitcher alive. */
 class CV_EXPORTS StitcherBinding
 {
 public:
-    virtual ~StitcherBinding() {}
+    virtual ~StitcherBinding() = default;
 
     /// The present rig; its alignment's report says how it came about, or why the plain warper was used instead.
     virtual const Rig& rig() const = 0;
