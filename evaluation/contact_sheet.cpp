@@ -25,31 +25,25 @@ const cv::Scalar PAPER(255, 255, 255);
 const cv::Scalar INK(0, 0, 0);
 const cv::Scalar FRAMES[PATCHES] = {{40, 40, 230}, {40, 160, 40}, {230, 120, 20}};
 
-/// A rectangle of the canvas; what lies outside of it is empty and masked out.
-PairCanvas cropped(const PairCanvas& canvas, cv::Rect rect)
+/// A rectangle of an image; what lies outside of the image is filled.
+cv::Mat crop(const cv::Mat& image, cv::Rect rect, const cv::Scalar& fill)
 {
-    const cv::Rect inside = rect & cv::Rect(cv::Point(), canvas.source.size());
-    const cv::Rect place(inside.tl() - rect.tl(), inside.size());
-    PairCanvas result;
-    const auto crop = [&](const cv::Mat& from, cv::Mat& to)
-    {
-        to = cv::Mat::zeros(rect.size(), from.type());
-        if (!inside.empty())
-            from(inside).copyTo(to(place));
-    };
-    crop(canvas.source, result.source);
-    crop(canvas.source_mask, result.source_mask);
-    crop(canvas.target, result.target);
-    crop(canvas.target_mask, result.target_mask);
-    return result;
-}
-
-cv::Mat crop(const cv::Mat& image, cv::Rect rect)
-{
-    cv::Mat result(rect.size(), image.type(), PAPER);
+    cv::Mat result(rect.size(), image.type(), fill);
     const cv::Rect inside = rect & cv::Rect(cv::Point(), image.size());
     if (!inside.empty())
         image(inside).copyTo(result(cv::Rect(inside.tl() - rect.tl(), inside.size())));
+    return result;
+}
+
+/// A rectangle of the canvas; what lies outside of it is empty and masked out.
+PairCanvas cropped(const PairCanvas& canvas, cv::Rect rect)
+{
+    const cv::Scalar nothing;
+    PairCanvas result;
+    result.source = crop(canvas.source, rect, nothing);
+    result.source_mask = crop(canvas.source_mask, rect, nothing);
+    result.target = crop(canvas.target, rect, nothing);
+    result.target_mask = crop(canvas.target_mask, rect, nothing);
     return result;
 }
 
@@ -77,7 +71,7 @@ cv::Mat rowOf(const Entry& entry, cv::Rect shown, const std::vector<cv::Rect>& p
     mean.setTo(PAPER, (entry.canvas.source_mask | entry.canvas.target_mask) == 0);
     const cv::Point origin = entry.canvas.target_origin;
     cv::Mat panorama;
-    cv::resize(crop(mean, shown + origin), panorama, cv::Size(), scale, scale, cv::INTER_AREA);
+    cv::resize(crop(mean, shown + origin, PAPER), panorama, cv::Size(), scale, scale, cv::INTER_AREA);
     cv::Mat row(std::max(TILE, panorama.rows) + MARGIN, LABEL + panorama.cols + PATCHES * (TILE + MARGIN) + MARGIN, CV_8UC3, PAPER);
     cv::putText(row, entry.label, cv::Point(MARGIN, 24), cv::FONT_HERSHEY_SIMPLEX, 0.6, INK, 1, cv::LINE_AA);
     cv::putText(row, entry.score, cv::Point(MARGIN, 48), cv::FONT_HERSHEY_SIMPLEX, 0.5, INK, 1, cv::LINE_AA);
@@ -85,7 +79,7 @@ cv::Mat rowOf(const Entry& entry, cv::Rect shown, const std::vector<cv::Rect>& p
     for (size_t k = 0; k < patches.size(); ++k)
     {
         cv::Mat patch;
-        cv::resize(crop(mean, patches[k] + origin), patch, cv::Size(TILE, TILE), 0, 0, cv::INTER_CUBIC);
+        cv::resize(crop(mean, patches[k] + origin, PAPER), patch, cv::Size(TILE, TILE), 0, 0, cv::INTER_CUBIC);
         cv::rectangle(patch, cv::Rect(cv::Point(), patch.size()), FRAMES[k], 3);
         patch.copyTo(row(cv::Rect(left, 0, TILE, TILE)));
         left += TILE + MARGIN;

@@ -8,7 +8,6 @@
 #include <mutex>
 #include <thread>
 #include "evaluation/color_variation.hpp"
-#include "evaluation/mesh_folds.hpp"
 
 namespace evaluation
 {
@@ -141,7 +140,7 @@ private:
             return result;
         }
         result.status = alignment.ok() ? "ok" : "rough";
-        result.folds = countFoldedQuads(alignment.image(0).mesh);
+        result.folds = alignment.report().folds;
         const cv::gcpw::Score score = cv::gcpw::scorePair(cv::gcpw::renderPair(alignment, source, target));
         result.ncc = score.ncc;
         result.zncc = score.zncc;

@@ -121,17 +121,12 @@ Cells stitchOne(const ImageSet& set, const std::string& method, const std::strin
 
 std::vector<ImageSet> findSets(const std::string& folder)
 {
-    std::error_code error;
-    if (!fs::is_directory(folder, error))
-        CV_Error(cv::Error::StsObjectNotFound, "there is no folder " + folder);
     std::vector<ImageSet> sets;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    for (const fs::path& path : subfolders(folder))
     {
-        if (!entry.is_directory())
-            continue;
         ImageSet set;
-        set.name = entry.path().filename().string();
-        for (const fs::directory_entry& file : fs::directory_iterator(entry.path()))
+        set.name = path.filename().string();
+        for (const fs::directory_entry& file : fs::directory_iterator(path))
             if (file.is_regular_file() && cv::haveImageReader(file.path().string()))
                 set.images.push_back(file.path().string());
         std::sort(set.images.begin(), set.images.end());
@@ -140,7 +135,6 @@ std::vector<ImageSet> findSets(const std::string& folder)
     }
     if (sets.empty())
         CV_Error(cv::Error::StsObjectNotFound, folder + " holds no sets; it needs a folder a set, each with two images or more");
-    std::sort(sets.begin(), sets.end(), [](const ImageSet& a, const ImageSet& b) { return a.name < b.name; });
     return sets;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -27,30 +26,37 @@ std::string fileOfStem(const fs::path& folder, const std::string& stem)
 
 } // namespace
 
-std::vector<PairFiles> findPairs(const std::string& folder)
+std::vector<fs::path> subfolders(const std::string& folder)
 {
     std::error_code error;
     if (!fs::is_directory(folder, error))
         CV_Error(cv::Error::StsObjectNotFound, "there is no folder " + folder);
-    std::vector<PairFiles> pairs;
+    std::vector<fs::path> found;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.is_directory())
+            found.push_back(entry.path());
+    std::sort(found.begin(), found.end(), [](const fs::path& a, const fs::path& b) { return a.filename() < b.filename(); });
+    return found;
+}
+
+std::vector<PairFiles> findPairs(const std::string& folder)
+{
+    std::vector<PairFiles> pairs;
+    for (const fs::path& path : subfolders(folder))
     {
-        if (!entry.is_directory())
-            continue;
         PairFiles pair;
-        pair.name = entry.path().filename().string();
-        pair.source = fileOfStem(entry.path(), "01");
-        pair.target = fileOfStem(entry.path(), "02");
+        pair.name = path.filename().string();
+        pair.source = fileOfStem(path, "01");
+        pair.target = fileOfStem(path, "02");
         if (pair.source.empty() || pair.target.empty())
             CV_Error(cv::Error::StsObjectNotFound,
-                     entry.path().string() + " holds no pair; it needs photographs 01.* (source) and 02.* (target)");
+                     path.string() + " holds no pair; it needs photographs 01.* (source) and 02.* (target)");
         if (pair.name.find_first_of(",\n\r|") != std::string::npos)
-            CV_Error(cv::Error::StsBadArg, "the name of the pair " + entry.path().string() + " must not hold , or |");
+            CV_Error(cv::Error::StsBadArg, "the name of the pair " + path.string() + " must not hold , or |");
         pairs.push_back(pair);
     }
     if (pairs.empty())
         CV_Error(cv::Error::StsObjectNotFound, folder + " holds no pairs; it needs a folder a pair, each with 01.* and 02.*");
-    std::sort(pairs.begin(), pairs.end(), [](const PairFiles& a, const PairFiles& b) { return a.name < b.name; });
     return pairs;
 }
 

@@ -2,6 +2,7 @@
 #ifndef GCPW_EVALUATION_PAIR_FOLDER_HPP
 #define GCPW_EVALUATION_PAIR_FOLDER_HPP
 
+#include <filesystem>
 #include <string>
 #include <vector>
 #include <opencv2/core.hpp>
@@ -16,6 +17,9 @@ struct PairFiles
     std::string source; ///< path of 01.*
     std::string target; ///< path of 02.*
 };
+
+/// The folders in a folder, sorted by name. Throws cv::Exception that names the folder if there is none.
+std::vector<std::filesystem::path> subfolders(const std::string& folder);
 
 /** @brief The pairs of a folder: one folder for each pair, with a photograph 01.* (source) and one 02.* (target).
 @return sorted by name

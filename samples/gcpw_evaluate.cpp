@@ -201,17 +201,10 @@ std::string siblingOf(const char* self, const std::string& name)
 
 int main(int argc, char** argv)
 {
-    return runProgram("gcpw_evaluate", [&]
+    const std::string about = "Compares the methods on pairs of photographs, as they are and with synthetic colour variation.\n"
+                              "Exit code: 0 all runs done, 1 some runs had no result, 2 wrong use.";
+    return runProgram("gcpw_evaluate", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
     {
-        cv::CommandLineParser parser(argc, argv, KEYS);
-        parser.about("Compares the methods on pairs of photographs, as they are and with synthetic colour variation.\n"
-                     "Exit code: 0 all runs done, 1 some runs had no result, 2 wrong use.");
-        if (parser.has("help"))
-        {
-            parser.printMessage();
-            return static_cast<int>(EXIT_STITCHED);
-        }
-        checkOptions(argc, argv, KEYS);
         const Job job = parse(parser);
         cv::setNumThreads(1); // a worker is a thread: no matter how many there are, each run is the same
         const int code = job.experiment.pairs.empty() ? static_cast<int>(EXIT_STITCHED) : evaluatePairs(job);

@@ -195,19 +195,8 @@ int writeSynthetic(const std::string& folder)
 
 int main(int argc, char** argv)
 {
-    return runProgram("gcpw_pair", [&]
-    {
-        cv::CommandLineParser parser(argc, argv, KEYS);
-        parser.about("Stitches two overlapping photographs with Generalized Content-Preserving Warps.\n"
-                     "Exit code: 0 stitched, 1 no alignment found, 2 wrong use.");
-        if (parser.has("help"))
-        {
-            parser.printMessage();
-            return static_cast<int>(EXIT_STITCHED);
-        }
-        checkOptions(argc, argv, KEYS);
-        if (parser.has("synthetic"))
-            return writeSynthetic(parser.get<std::string>("synthetic"));
-        return stitch(parse(parser));
-    });
+    const std::string about = "Stitches two overlapping photographs with Generalized Content-Preserving Warps.\n"
+                              "Exit code: 0 stitched, 1 no alignment found, 2 wrong use.";
+    return runProgram("gcpw_pair", argc, argv, KEYS, about, [](const cv::CommandLineParser& parser)
+                      { return parser.has("synthetic") ? writeSynthetic(parser.get<std::string>("synthetic")) : stitch(parse(parser)); });
 }

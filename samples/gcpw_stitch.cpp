@@ -267,18 +267,8 @@ int stitch(const Job& job)
 
 int main(int argc, char** argv)
 {
-    return runProgram("gcpw_stitch", [&]
-    {
-        const cv::CommandLineParser parser(argc, argv, KEYS);
-        if (parser.has("help"))
-        {
-            cv::CommandLineParser about = parser;
-            about.about("Stitches photographs with cv::Stitcher and Generalized Content-Preserving Warps.\n"
-                        "gcpw_stitch IMAGE IMAGE.. [--option=value..]. Exit code: 0 stitched, 1 no alignment, 2 wrong use.");
-            about.printMessage();
-            return static_cast<int>(EXIT_STITCHED);
-        }
-        checkOptions(argc, argv, KEYS);
-        return stitch(parse(parser, argc, argv));
-    });
+    const std::string about = "Stitches photographs with cv::Stitcher and Generalized Content-Preserving Warps.\n"
+                              "gcpw_stitch IMAGE IMAGE.. [--option=value..]. Exit code: 0 stitched, 1 no alignment, 2 wrong use.";
+    return runProgram("gcpw_stitch", argc, argv, KEYS, about,
+                      [&](const cv::CommandLineParser& parser) { return stitch(parse(parser, argc, argv)); });
 }

@@ -169,17 +169,10 @@ void printSet(const std::string& folder, const cv::CommandLineParser& parser, co
 
 int main(int argc, char** argv)
 {
-    return runProgram("compensators_table", [&]
+    const std::string about = "Prints the RMS colour difference in the overlaps of sets of photographs after exposure compensation.\n"
+                              "compensators_table FOLDER.. [--option=value..]";
+    return runProgram("compensators_table", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
     {
-        cv::CommandLineParser parser(argc, argv, KEYS);
-        parser.about("Prints the RMS colour difference in the overlaps of sets of photographs after exposure compensation.\n"
-                     "compensators_table FOLDER.. [--option=value..]");
-        if (parser.has("help"))
-        {
-            parser.printMessage();
-            return 0;
-        }
-        checkOptions(argc, argv, KEYS);
         cv::gcpw::Params params;
         applySettings(parser.get<std::string>("set"), params);
         std::printf("| set |");

@@ -163,11 +163,20 @@ void endProgress()
         std::fprintf(stderr, "\r%24s\r", "");
 }
 
-int runProgram(const std::string& name, const std::function<int()>& run)
+int runProgram(const std::string& name, int argc, const char* const* argv, const std::string& keys, const std::string& about,
+               const std::function<int(const cv::CommandLineParser&)>& run)
 {
     try
     {
-        return run();
+        cv::CommandLineParser parser(argc, argv, keys);
+        parser.about(about);
+        if (parser.has("help"))
+        {
+            parser.printMessage();
+            return EXIT_STITCHED;
+        }
+        checkOptions(argc, argv, keys);
+        return run(parser);
     }
     catch (const WrongUse& e)
     {

@@ -2,6 +2,7 @@
 #ifndef GCPW_SAMPLES_PROGRAM_HPP
 #define GCPW_SAMPLES_PROGRAM_HPP
 
+#include <functional>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/gcpw.hpp>
@@ -50,7 +51,10 @@ void applySettings(const std::string& settings, cv::gcpw::Params& params);
 cv::gcpw::Progress terminalProgress();
 void endProgress();
 
-/// Calls run() and turns exceptions into a message and an exit code.
-int runProgram(const std::string& name, const std::function<int()>& run);
+/** @brief A program's main(): shows the help or calls run() with the checked options, and turns exceptions into a message
+and an exit code.
+@param keys as cv::CommandLineParser takes them, with "help"  @param about what the help says above the options */
+int runProgram(const std::string& name, int argc, const char* const* argv, const std::string& keys, const std::string& about,
+               const std::function<int(const cv::CommandLineParser&)>& run);
 
 #endif

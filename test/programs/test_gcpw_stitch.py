@@ -33,7 +33,7 @@ def stitches(bench, photos):
 
 def dumps(bench):
     found = {path.name for path in bench.path("dump").iterdir()}
-    expected = {f"{k:03d}_{what}.png" for k in (0, 1) for what in ("image", "mask")} | {"corners.csv"}
+    expected = {f"{k:03d}_{what}.png" for k in (0, 1) for what in ("image", "corrected", "mask")} | {"corners.csv"}
     bench.check(found == expected, f"the dump holds {sorted(found)}")
     rows = [line.split(",") for line in bench.path("dump/corners.csv").read_text(encoding="utf-8").splitlines()]
     bench.check([row[0] for row in rows] == ["000", "001"], f"corners are of {rows}")

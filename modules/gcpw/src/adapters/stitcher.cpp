@@ -124,7 +124,7 @@ private:
     Progress progress_;
     std::shared_ptr<Session> session_;
     std::shared_ptr<Captured> shown_; ///< to the features finder
-    std::vector<Mat> given_;                  ///< by setImages()
+    std::vector<Mat> given_;          ///< by setImages()
     int estimations_ = 0;
 };
 

@@ -38,16 +38,9 @@ public:
 
     void addColored(QuadId quad, const ColoredBlock& block) override { colored_.push_back({quad, block}); }
     void addPartner(QuadId a, QuadId b, const PartnerBlock& block) override { partners_.push_back({a, b, block}); }
-    void addRow(QuadId, const QuadRow&, double, double) override { CV_DbgAssert(!"photometric terms pour no rows"); }
-    void addRow(QuadId, const QuadRow&, QuadId, const QuadRow&, double, double) override
-    {
-        CV_DbgAssert(!"photometric terms pour no rows");
-    }
-    void addBlock(QuadId, const QuadBlock&, const QuadRow&, double) override
-    {
-        CV_DbgAssert(!"photometric terms pour no colourless blocks");
-    }
-
+    void addRow(QuadId, const QuadRow&, double, double) override { CV_DbgAssert(!NOT_KEPT); }
+    void addRow(QuadId, const QuadRow&, QuadId, const QuadRow&, double, double) override { CV_DbgAssert(!NOT_KEPT); }
+    void addBlock(QuadId, const QuadBlock&, const QuadRow&, double) override { CV_DbgAssert(!NOT_KEPT); }
 
     void pourInto(ResidualSink& sink) const
     {
@@ -58,6 +51,8 @@ public:
     }
 
 private:
+    static constexpr const char* NOT_KEPT = "only blocks that carry colour are kept";
+
     std::vector<Colored> colored_;
     std::vector<Partner> partners_;
 };

@@ -56,7 +56,7 @@ void JointSystem::addPartner(QuadId a, QuadId b, const PartnerBlock& block)
 void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors)
 {
     colors_.clearSamples();
-    for (const Colored& item : colored_)
+    for (const BlockBuffer::Colored& item : colored_)
     {
         ColoredBlock moved = item.block;
         const int vertices = step ? static_cast<int>((*step)[item.quad.image].size()) : 0;
@@ -93,7 +93,7 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
             tied[item.a.image].resize(lattices_[item.a.image].cellCount());
             tied[item.a.image][item.a.cell] = true;
         }
-        for (const Colored& item : colored_)
+        for (const BlockBuffer::Colored& item : colored_)
         {
             const std::vector<bool>& ties = tied[item.quad.image];
             ColoredBlock block = item.block;

@@ -2,6 +2,7 @@
 #ifndef OPENCV_GCPW_JOINT_SYSTEM_HPP
 #define OPENCV_GCPW_JOINT_SYSTEM_HPP
 
+#include "energy/block_buffer.hpp"
 #include "energy/color_system.hpp"
 #include "energy/mesh_system.hpp"
 
@@ -45,11 +46,6 @@ public:
     SolveStatus solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors);
 
 private:
-    struct Colored
-    {
-        QuadId quad;
-        ColoredBlock block;
-    };
     struct Partner
     {
         QuadId a;
@@ -61,7 +57,7 @@ private:
     std::vector<Lattice> lattices_;
     MeshSystem meshes_;
     ColorSystem colors_;
-    std::vector<Colored> colored_;
+    std::vector<BlockBuffer::Colored> colored_;
     std::vector<Partner> partners_;
     bool eliminated_ = false;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include "imaging/photograph.hpp"
+#include "model/inverse_map.hpp"
 #include "pipeline/image_graph.hpp"
 #include "pipeline/match_gate.hpp"
 #include "pipeline/pair_matcher.hpp"
@@ -18,7 +19,7 @@ namespace gcpw
 namespace
 {
 
-const int COMPARISONS = 3;  ///< of a pixel with other images: more repeat what these say
+const int COMPARISONS = 3;   ///< of a pixel with other images: more repeat what these say
 const int NO_REFERENCE = -2; ///< Params::referenceImage: all images move
 
 /// What align() was given, in the module's own form, at the working resolution.
@@ -29,6 +30,12 @@ struct CanvasImages
     double scale = 1; ///< working pixels per given pixel, the same for all
 
     int count() const { return static_cast<int>(work.size()); }
+    FrameScale frame() const
+    {
+        FrameScale result;
+        result.x = result.y = scale;
+        return result;
+    }
 };
 
 std::vector<Mat> toMats(InputArrayOfArrays arrays)
@@ -130,13 +137,8 @@ void checkKeypoints(const std::vector<KnownKeypoints>& keypoints, int images)
     }
 }
 
-Point2d toWork(Point2f p, double scale)
-{
-    return Point2d((p.x + 0.5) * scale - 0.5, (p.y + 0.5) * scale - 0.5);
-}
-
 /// The keypoints that lie inside the mask, in working pixels.
-Keypoints toWork(const KnownKeypoints& known, const Photograph& work, double scale)
+Keypoints toWork(const KnownKeypoints& known, const Photograph& work, const FrameScale& scale)
 {
     Keypoints result;
     Mat descriptors;
@@ -144,7 +146,7 @@ Keypoints toWork(const KnownKeypoints& known, const Photograph& work, double sca
     const Rect inside(Point(), work.image.size());
     for (size_t i = 0; i < known.points.size(); ++i)
     {
-        const Point2d p = toWork(known.points[i], scale);
+        const Point2d p = scale.toWork(known.points[i]);
         const Point pixel(cvRound(p.x), cvRound(p.y));
         if (!inside.contains(pixel) || (!work.mask.empty() && work.mask.at<uchar>(pixel) == 0))
             continue;
@@ -225,7 +227,7 @@ private:
                 return false;
             const Photograph& work = canvas.work[i];
             features[i] = i < static_cast<int>(keypoints.size()) && !keypoints[i].points.empty()
-                              ? knownFeatures(work.image, toWork(keypoints[i], work, canvas.scale))
+                              ? knownFeatures(work.image, toWork(keypoints[i], work, canvas.frame()))
                               : detectFeatures(work.image, work.mask, work.image.size(), params_);
         }
         report.timings_ms.features = millisecondsSince(tick);
@@ -246,7 +248,7 @@ private:
             const MeshGrid& a = problem.images[pair.a].rough;
             const MeshGrid& b = problem.images[pair.b].rough;
             pair.matches = correspondences.empty() ? matchPair(features[pair.a], features[pair.b], a, b, pair.shift_b, params_, recipe)
-                                                   : given(correspondences, pair, canvas.scale, a, b);
+                                                   : given(correspondences, pair, canvas.frame(), a, b);
             problem.pairs.push_back(pair);
         }
         report.timings_ms.homography = millisecondsSince(tick);
@@ -254,7 +256,7 @@ private:
     }
 
     /// The caller's correspondences of a pair, gated.
-    MatchSet given(const std::vector<Correspondences>& all, const ProblemPair& pair, double scale, const MeshGrid& a,
+    MatchSet given(const std::vector<Correspondences>& all, const ProblemPair& pair, const FrameScale& scale, const MeshGrid& a,
                    const MeshGrid& b) const
     {
         MatchSet matches;
@@ -267,8 +269,8 @@ private:
             for (size_t i = 0; i < item.points_a.size(); ++i)
             {
                 PointMatch match;
-                match.a = toWork(straight ? item.points_a[i] : item.points_b[i], scale);
-                match.b = toWork(straight ? item.points_b[i] : item.points_a[i], scale);
+                match.a = scale.toWork(straight ? item.points_a[i] : item.points_b[i]);
+                match.b = scale.toWork(straight ? item.points_b[i] : item.points_a[i]);
                 matches.points.push_back(match);
             }
         }

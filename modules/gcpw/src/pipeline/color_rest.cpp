@@ -12,16 +12,17 @@ namespace gcpw
 namespace
 {
 
-const double GAUGE = 1e-3;         ///< share of an overlap: chooses among exposures that fit equally well
+const double GAUGE = 1e-3;          ///< share of an overlap: chooses among exposures that fit equally well
+const double HOLD = 1e6;            ///< overlaps: as good as fixed
 const double NOISE_VARIANCE = 1e-4; ///< of an intensity: less contrast than this says nothing of gain
-const double MAX_GAIN = 3;         ///< between two photographs of one scene
+const double MAX_GAIN = 3;          ///< between two photographs of one scene
 
-/// Normal equations of differences x_a - x_b = d between images, some of them held at `rest`.
+/// Normal equations of differences x_a - x_b = d between images; x is 0 where an image is held.
 class Differences
 {
 public:
-    Differences(const std::vector<bool>& held, double rest)
-        : held_(held), rest_(rest), matrix_(Mat::zeros(static_cast<int>(held.size()), static_cast<int>(held.size()), CV_64F)),
+    explicit Differences(const std::vector<bool>& held)
+        : held_(held), matrix_(Mat::zeros(static_cast<int>(held.size()), static_cast<int>(held.size()), CV_64F)),
           right_(Mat::zeros(static_cast<int>(held.size()), 1, CV_64F))
     {
     }
@@ -29,39 +30,28 @@ public:
     /// weight * (x_a - x_b - d)^2
     void add(int a, int b, double d, double weight)
     {
-        for (const int i : {a, b})
-        {
-            const int j = i == a ? b : a;
-            const double sign = i == a ? 1 : -1;
-            matrix_.at<double>(i, i) += weight;
-            matrix_.at<double>(i, j) -= weight;
-            right_.at<double>(i) += sign * weight * d;
-        }
+        matrix_.at<double>(a, a) += weight;
+        matrix_.at<double>(b, b) += weight;
+        matrix_.at<double>(a, b) -= weight;
+        matrix_.at<double>(b, a) -= weight;
+        right_.at<double>(a) += weight * d;
+        right_.at<double>(b) -= weight * d;
         total_ += weight;
     }
 
-    std::vector<double> solve()
+    std::vector<double> solve() const
     {
         Mat matrix = matrix_.clone();
-        Mat right = right_.clone();
         for (int i = 0; i < matrix.rows; ++i)
-        {
-            matrix.at<double>(i, i) += GAUGE * total_ / matrix.rows;
-            right.at<double>(i) += GAUGE * total_ / matrix.rows * rest_;
-            if (!held_[i])
-                continue;
-            matrix.at<double>(i, i) += 1e6 * total_;
-            right.at<double>(i) += 1e6 * total_ * rest_;
-        }
+            matrix.at<double>(i, i) += GAUGE * total_ / matrix.rows + (held_[i] ? HOLD * total_ : 0);
         Mat x;
-        if (!cv::solve(matrix, right, x, DECOMP_CHOLESKY))
-            return std::vector<double>(held_.size(), rest_);
+        if (!cv::solve(matrix, right_, x, DECOMP_CHOLESKY))
+            return std::vector<double>(held_.size(), 0);
         return std::vector<double>(x.begin<double>(), x.end<double>());
     }
 
 private:
     const std::vector<bool>& held_;
-    double rest_;
     Mat matrix_;
     Mat right_;
     double total_ = 1e-9;
@@ -78,7 +68,7 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm
     std::vector<ColorGrid::Quad> exposures(states.size());
     for (int c = 0; c < CHANNELS; ++c)
     {
-        Differences log_gains(held, 0);
+        Differences log_gains(held);
         for (size_t k = 0; k < terms.size(); ++k)
         {
             const PhotometricTerm::Moments& m = moments[k];
@@ -90,7 +80,7 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm
         const std::vector<double> logs = log_gains.solve();
         for (size_t i = 0; i < exposures.size(); ++i)
             exposures[i][c].gain = std::min(std::max(std::exp(logs[i]), 1 / MAX_GAIN), MAX_GAIN);
-        Differences biases(held, 0);
+        Differences biases(held);
         for (size_t k = 0; k < terms.size(); ++k)
         {
             const int a = terms[k].sourceImage();
@@ -108,7 +98,7 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm
 
 void ColorRest::pull(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& states, ColorSystem& colors)
 {
-    const bool chain = problem_.images.size() > 2;
+    const bool chain = problem_.isChain();
     if (exposures_.empty())
     {
         std::vector<bool> held;

@@ -39,7 +39,7 @@ LevelTerms::LevelTerms(const Problem& problem, const Recipe& recipe, const Param
             lines_.emplace_back(pair.a, pair.b, a, b, pair.matches.lines, params.lineStep, params.geometricWeight,
                                 pair.shift_b);
     }
-    for (size_t i = 0; problem.images.size() > 2 && params.restWeight > 0 && i < problem.images.size(); ++i)
+    for (size_t i = 0; problem.isChain() && params.restWeight > 0 && i < problem.images.size(); ++i)
     {
         std::vector<int> cells(problem.images[i].rough.lattice().cellCount());
         std::iota(cells.begin(), cells.end(), 0);

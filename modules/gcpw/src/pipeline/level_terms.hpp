@@ -61,7 +61,7 @@ private:
     std::vector<LineTerm> lines_;
     std::vector<PhotometricTerm> pixels_;
     std::vector<AnchorTerm> anchors_;
-    std::vector<AnchorTerm> rests_; ///< where more than one step leads to the image that is held
+    std::vector<AnchorTerm> rests_; ///< Params::restWeight; none in a pair
     std::vector<Share> shares_;
     std::vector<BlockBuffer> buffers_; ///< of the shares that are poured together
 };

@@ -2,7 +2,6 @@
 #include "pipeline/optimizer.hpp"
 
 #include <algorithm>
-#include <limits>
 #include "pipeline/region_guard.hpp"
 #include "terms/color_smoothness_term.hpp"
 

@@ -34,6 +34,9 @@ struct Problem
 {
     std::vector<ProblemImage> images;
     std::vector<ProblemPair> pairs;
+
+    /// Three images or more: errors may add up from image to image, so something must hold shape and contrast.
+    bool isChain() const { return images.size() > 2; }
 };
 
 } // namespace gcpw

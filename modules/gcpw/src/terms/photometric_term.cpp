@@ -50,15 +50,6 @@ struct LumaMoments
     }
 };
 
-void toValues(const ColorGrid::Quad& color, double (&values)[3][2])
-{
-    for (int c = 0; c < 3; ++c)
-    {
-        values[c][0] = color[c].gain;
-        values[c][1] = color[c].bias;
-    }
-}
-
 } // namespace
 
 PhotometricTerm::PhotometricTerm(int source_image, int target_image, const PyramidLevel& source,
@@ -239,20 +230,20 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
             continue;
         ColoredBlock block = sums.block(options_.weight);
         block.energy = options_.weight * energy;
-        std::vector<PartnerBlock> others;
+        const ColorGrid::Quad& now = images[source_image_].color.quad(cell);
+        const bool judged = options_.gain_support > 0;
+        const double trust = judged ? sums.judgeColors(now, options_.weight, target_moves ? 0 : options_.gain_support, block) : 1;
         for (const std::pair<int, PartnerSums>& partner : partners)
-            others.push_back(partner.second.block(options_.weight));
-        if (options_.gain_support > 0)
         {
-            double now[3][2];
-            toValues(images[source_image_].color.quad(cell), now);
-            const double trust = sums.judgeColors(now, options_.weight, target_moves ? 0 : options_.gain_support, block);
-            for (size_t i = 0; i < partners.size(); ++i)
+            PartnerBlock other = partner.second.block(options_.weight);
+            if (judged)
+                partner.second.judgeColors(now, images[target_image_].color.quad(partner.first), options_.weight, trust, block, other);
+            if (frozen_[cell])
             {
-                double now_other[3][2];
-                toValues(images[target_image_].color.quad(partners[i].first), now_other);
-                partners[i].second.judgeColors(now, now_other, options_.weight, trust, block, others[i]);
+                other.cross = other.mesh_mesh = QuadBlock{};
+                other.mesh_gradient = QuadRow{};
             }
+            sink.addPartner({source_image_, cell}, {target_image_, partner.first}, other);
         }
         total += block.energy;
         if (frozen_[cell])
@@ -262,16 +253,6 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
             block.mesh_color = {};
         }
         sink.addColored({source_image_, cell}, block);
-        for (size_t i = 0; i < partners.size(); ++i)
-        {
-            PartnerBlock& other = others[i];
-            if (frozen_[cell])
-            {
-                other.cross = other.mesh_mesh = QuadBlock{};
-                other.mesh_gradient = QuadRow{};
-            }
-            sink.addPartner({source_image_, cell}, {target_image_, partners[i].first}, other);
-        }
     }
     return total;
 }

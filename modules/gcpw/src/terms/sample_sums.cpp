@@ -132,23 +132,23 @@ SampleSums::Likeness SampleSums::likeness(int channel, double gain) const
     return result;
 }
 
-double SampleSums::judgeColors(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const
+double SampleSums::judgeColors(const ColorGrid::Quad& now, double weight, double support, ColoredBlock& block) const
 {
     if (!(color_[0][2] > 0))
         return 1;
     for (int c = 0; c < 3; ++c)
     {
-        const Likeness like = likeness(c, now[c][0]);
+        const Likeness like = likeness(c, now[c].gain);
         if (!(like.variance > MIN_VARIANCE) || !(like.target_variance > MIN_VARIANCE))
             continue;
         const double unlike = std::max(1 - like.correlation * like.correlation, 0.0);
         const double wanted = std::min(std::max(std::sqrt(like.target_variance / like.variance), 1 / MAX_GAIN), MAX_GAIN);
         const double stiffness = weight * support * unlike * color_[c][2] * like.variance;
         block.color_color[c][0] += stiffness;
-        block.color_gradient[c][0] += stiffness * (now[c][0] - wanted);
-        block.energy += stiffness * (now[c][0] - wanted) * (now[c][0] - wanted);
+        block.color_gradient[c][0] += stiffness * (now[c].gain - wanted);
+        block.energy += stiffness * (now[c].gain - wanted) * (now[c].gain - wanted);
     }
-    const Likeness luma = likeness(0, now[0][0]);
+    const Likeness luma = likeness(0, now[0].gain);
     if (luma.variance < TEXTURE_VARIANCE || luma.target_variance < TEXTURE_VARIANCE)
         return 1; // a flat quad has no texture to compare, but its mean is worth as much as any
     const double correlation = std::max(luma.correlation, 0.0);
@@ -233,7 +233,7 @@ PartnerBlock PartnerSums::block(double weight) const
     return block;
 }
 
-void PartnerSums::judgeColors(const double (&now)[3][2], const double (&now_other)[3][2], double weight, double trust,
+void PartnerSums::judgeColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight, double trust,
                               ColoredBlock& own, PartnerBlock& other) const
 {
     for (int c = 0; c < 3; ++c)
@@ -243,10 +243,10 @@ void PartnerSums::judgeColors(const double (&now)[3][2], const double (&now_othe
         const double other_variance = std::max(s[4] - s[2] * s[2] / s[3], 0.0);
         const double missing = weight * (s[1] * s[2] / s[3] + std::sqrt(variance * other_variance) - s[0]);
         other.color_cross[c][0] -= missing;
-        other.color_gradient[c][0] -= missing * now[c][0];
+        other.color_gradient[c][0] -= missing * now[c].gain;
         // The own side of these samples has been trusted already.
-        own.color_gradient[c][0] -= trust * missing * now_other[c][0];
-        own.energy -= 2 * missing * now[c][0] * now_other[c][0];
+        own.color_gradient[c][0] -= trust * missing * now_other[c].gain;
+        own.energy -= 2 * missing * now[c].gain * now_other[c].gain;
         for (double& value : other.color_cross[c])
             value *= trust;
         for (double& value : other.color_color[c])

@@ -3,6 +3,7 @@
 #define OPENCV_GCPW_SAMPLE_SUMS_HPP
 
 #include "energy/residual_sink.hpp"
+#include "model/color_grid.hpp"
 
 namespace cv
 {
@@ -43,11 +44,11 @@ public:
         E_v = weight * support * sum_c (1 - rho_c^2) n var(I_c) (G_c - sd(T_c) / sd(I_c))^2
 
     and all the quad says of its colour counts by max(rho_Y, 0)^2, so that its neighbours decide.
-    @param now gain, bias per channel at which the samples were taken
+    @param now colours at which the samples were taken
     @param support 0 leaves out E_v
     @param block of these samples; receives the energy E_v
     @return the factor on what is said of colour */
-    double judgeColors(const double (&now)[3][2], double weight, double support, ColoredBlock& block) const;
+    double judgeColors(const ColorGrid::Quad& now, double weight, double support, ColoredBlock& block) const;
 
 private:
     double curvature_[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
@@ -78,7 +79,7 @@ public:
     correlate fully: the covariance is replaced by sd(I) sd(I').
     @param trust factor on what is said of colour, SampleSums::judgeColors()
     @param own, other of these samples; both change */
-    void judgeColors(const double (&now)[3][2], const double (&now_other)[3][2], double weight, double trust,
+    void judgeColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight, double trust,
                      ColoredBlock& own, PartnerBlock& other) const;
 
 private:
