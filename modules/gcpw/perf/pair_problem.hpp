@@ -1,0 +1,56 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_PERF_PAIR_PROBLEM_HPP
+#define OPENCV_GCPW_PERF_PAIR_PROBLEM_HPP
+
+#include "perf_precomp.hpp"
+
+#include <vector>
+#include "energy/block_buffer.hpp"
+#include "scene.hpp"
+#include "terms/anchor_term.hpp"
+#include "terms/photometric_term.hpp"
+#include "terms/similarity_term.hpp"
+
+namespace opencv_test
+{
+
+/// The scene of all measurements of a pair: 880 x 660 px, so that nothing is scaled; recoloured and noisy.
+SceneOptions pairOptions();
+
+/// That scene, made once.
+const Scene& pairScene();
+
+/** @brief The first Gauss-Newton step on the finest level of that scene, with the default constants.
+
+The source lies where the true homography has it, and the target at rest if it is held, else bent by half a pixel. */
+class PairProblem
+{
+public:
+    /// @param target_moves false: only the source has unknowns, 8322 with its colours; true: both have
+    explicit PairProblem(bool target_moves);
+
+    const std::vector<gcpw::Lattice>& lattices() const { return lattices_; }
+    const std::vector<gcpw::ImageState>& states() const { return states_; }
+    std::vector<bool> held() const { return std::vector<bool>(lattices_.size(), false); }
+
+    gcpw::PhotometricTerm pixels(int step) const;
+    gcpw::RobustLoss loss() const;
+
+    /// Pours the samples of every second pixel, summed up beforehand, and what holds the meshes.
+    void pour(gcpw::ResidualSink& sink) const;
+
+private:
+    void holdShapes();
+
+    bool target_moves_;
+    std::vector<gcpw::PyramidLevel> levels_;
+    std::vector<gcpw::ImageState> states_;
+    std::vector<gcpw::Lattice> lattices_; ///< of the images that have unknowns
+    gcpw::BlockBuffer samples_;
+    std::vector<gcpw::SimilarityTerm> similarity_;
+    std::vector<gcpw::AnchorTerm> rests_;
+};
+
+} // namespace opencv_test
+
+#endif

@@ -1,0 +1,68 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "perf_precomp.hpp"
+
+#include "energy/joint_system.hpp"
+#include "pair_problem.hpp"
+#include "sparse_reference.hpp"
+#include "terms/color_smoothness_term.hpp"
+#include "thread_count.hpp"
+
+namespace opencv_test { namespace {
+
+const double DAMPING = 1e-4; // of a vertex step, as in the optimiser
+
+/// Step of the vertices, then change of the colours.
+Eigen::VectorXd stacked(const gcpw::MeshStep& step, const gcpw::ColorGrid& before, const gcpw::ColorGrid& after)
+{
+    std::vector<double> all;
+    for (const Point2d& vertex : step[0])
+        all.insert(all.end(), {vertex.x, vertex.y});
+    for (int cell = 0; cell < after.lattice().cellCount(); ++cell)
+        for (int c = 0; c < gcpw::CHANNELS; ++c)
+        {
+            const gcpw::ChannelAffine& now = after.quad(cell)[c];
+            const gcpw::ChannelAffine& was = before.quad(cell)[c];
+            all.insert(all.end(), {now.gain - was.gain, now.bias - was.bias});
+        }
+    return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+PERF_TEST(Gcpw_JointSystem, step_of_mesh_and_colors)
+{
+    const ThreadCount threads(1);
+    const PairProblem problem(false);
+    gcpw::JointSystem system(problem.lattices(), problem.held(), problem.held());
+    gcpw::addColorSmoothness(0, problem.lattices()[0], gcpw::Params().colorSmoothnessWeight, system.colors());
+    const std::vector<gcpw::ColorGrid> start{problem.states()[0].color};
+    std::vector<gcpw::ColorGrid> colors;
+    gcpw::MeshStep step;
+    bool solved = true;
+    TEST_CYCLE()
+    {
+        colors = start;
+        system.setZero();
+        system.addDamping(DAMPING);
+        problem.pour(system);
+        solved = system.solveMeshes(colors, step) == gcpw::SolveStatus::Solved && solved;
+        solved = system.solveColorsAfter(step, colors) == gcpw::SolveStatus::Solved && solved;
+    }
+    SparseReference reference(problem, SparseReference::MESHES_AND_COLORS, DAMPING);
+    Eigen::VectorXd exact;
+    CV_Assert(solved && reference.solve(exact));
+    // Neighbours are held while colours are eliminated: not the whole gain of the exact step, but nearly.
+    CV_Assert(reference.energy(stacked(step, start[0], colors[0])) <= 0.95 * reference.energy(exact));
+    SANITY_CHECK_NOTHING();
+}
+
+PERF_TEST(Gcpw_JointSystem, sparse_factor_of_all_unknowns)
+{
+    const PairProblem problem(false);
+    SparseReference reference(problem, SparseReference::MESHES_AND_COLORS, DAMPING);
+    CV_Assert(reference.unknowns() == 8322);
+    Eigen::VectorXd step;
+    TEST_CYCLE() reference.solve(step);
+    CV_Assert(reference.solve(step));
+    SANITY_CHECK_NOTHING();
+}
+
+}} // namespace
