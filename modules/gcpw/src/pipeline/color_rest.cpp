@@ -98,14 +98,13 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm
 
 void ColorRest::pull(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& states, ColorSystem& colors)
 {
-    const bool chain = problem_.isChain();
     if (exposures_.empty())
     {
         std::vector<bool> held;
         for (const ProblemImage& image : problem_.images)
             held.push_back(image.held);
         exposures_.resize(states.size());
-        if (chain)
+        if (problem_.isChain() || exposure_weight_ > 0)
             exposures_ = estimateExposures(terms, states, held);
     }
     std::vector<std::vector<int>> inside;
@@ -113,13 +112,16 @@ void ColorRest::pull(const std::vector<PhotometricTerm>& terms, const std::vecto
         inside.emplace_back(state.mesh.lattice().cellCount(), 0);
     for (const PhotometricTerm& term : terms)
         term.countInside(states, inside[term.sourceImage()], inside[term.targetImage()]);
+    // In a pair colours fade to the photograph's own outside the overlap, as in the paper.
+    const std::vector<ColorGrid::Quad> outside = problem_.isChain() ? exposures_ : std::vector<ColorGrid::Quad>(states.size());
     colors.clearPulls();
     for (size_t i = 0; i < states.size(); ++i)
         for (size_t cell = 0; cell < inside[i].size(); ++cell)
         {
-            const double weight = inside[i][cell] == 0 ? rest_weight_ : chain ? exposure_weight_ : 0;
+            const bool overlaps = inside[i][cell] > 0;
+            const double weight = overlaps ? exposure_weight_ : rest_weight_;
             if (weight > 0)
-                colors.addPull({static_cast<int>(i), static_cast<int>(cell)}, weight, exposures_[i]);
+                colors.addPull({static_cast<int>(i), static_cast<int>(cell)}, weight, overlaps ? exposures_[i] : outside[i]);
         }
 }
 

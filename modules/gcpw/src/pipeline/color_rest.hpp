@@ -19,14 +19,15 @@ that fit equally well the one of mean log gain 0 and mean bias 0 is chosen; imag
 std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm>& terms,
                                                const std::vector<ImageState>& states, const std::vector<bool>& held);
 
-/** @brief Where colours rest that nothing informs: E_r of eq. initialfunction, and a weaker pull elsewhere.
+/** @brief Where colours rest that nothing informs: E_r of eq. initialfunction, and a weak pull elsewhere.
 
-Two images: quads without samples rest at gain 1, bias 0, as in the paper. More images have no colour that all could be
-compared with, and contrast may drain away along a chain: there all quads rest at their image's exposure. */
+Quads with samples are held weakly at their image's exposure: faint texture alone does not know its gain, and along a chain
+contrast may drain away. Quads without samples rest at gain 1, bias 0 in a pair, as in the paper; of more images none has a
+colour that all could be compared with, and they rest at their image's exposure too. */
 class ColorRest
 {
 public:
-    /// @param rest_weight of a quad without samples  @param exposure_weight of one with samples, three images or more
+    /// @param rest_weight of a quad without samples  @param exposure_weight of one with samples
     ColorRest(const Problem& problem, double rest_weight, double exposure_weight)
         : problem_(problem), rest_weight_(rest_weight), exposure_weight_(exposure_weight)
     {

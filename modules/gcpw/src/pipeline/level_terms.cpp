@@ -56,15 +56,19 @@ void LevelTerms::enterLevel(int level)
     options.weight = params_.photometricWeight;
     options.contrast_floor = params_.contrastFloor;
     options.gain_support = recipe_.colors ? params_.gainSupport : 0;
-    pixels_.clear();
     anchors_.clear();
-    for (const ProblemPair& pair : problem_.pairs)
+    pixels_.assign(problem_.pairs.size(), PhotometricTerm());
+    parallel_for_(Range(0, static_cast<int>(pixels_.size())), [&](const Range& range)
     {
-        const PyramidLevel& a = problem_.images[pair.a].pyramid[level];
-        scale_ = a.scale;
-        pixels_.emplace_back(pair.a, pair.b, a, problem_.images[pair.b].pyramid[level],
-                             problem_.images[pair.a].rough.lattice(), options, pair.shift_b);
-    }
+        for (int k = range.start; k < range.end; ++k)
+        {
+            const ProblemPair& pair = problem_.pairs[k];
+            pixels_[k] = PhotometricTerm(pair.a, pair.b, problem_.images[pair.a].pyramid[level],
+                                         problem_.images[pair.b].pyramid[level],
+                                         problem_.images[pair.a].rough.lattice(), options, pair.shift_b);
+        }
+    });
+    scale_ = problem_.images.front().pyramid[level].scale;
     shares_.clear();
     for (size_t k = 0; k < pixels_.size(); ++k)
     {

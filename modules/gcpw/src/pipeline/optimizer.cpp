@@ -2,6 +2,7 @@
 #include "pipeline/optimizer.hpp"
 
 #include <algorithm>
+#include <opencv2/core/utility.hpp>
 #include "pipeline/region_guard.hpp"
 #include "terms/color_smoothness_term.hpp"
 
@@ -187,16 +188,20 @@ Optimizer::LevelEnd Optimizer::fitMatches(LevelTerms& terms, std::vector<ImageSt
 bool Optimizer::anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states,
                             const std::vector<ImageState>& start)
 {
-    bool any = false;
-    for (size_t k = 0; k < terms.pixels().size(); ++k)
+    const std::vector<PhotometricTerm>& pixels = terms.pixels();
+    std::vector<std::vector<int>> worse(pixels.size());
+    parallel_for_(Range(0, static_cast<int>(pixels.size())), [&](const Range& range)
     {
-        const PhotometricTerm& term = terms.pixels()[k];
-        const std::vector<int> cells = worseQuads(term, states, start, params_.revertRatio);
-        if (cells.empty())
-            continue;
-        any = true;
-        terms.anchor(k, start[term.sourceImage()].mesh, cells);
-    }
+        for (int k = range.start; k < range.end; ++k)
+            worse[k] = worseQuads(pixels[k], states, start, params_.revertRatio);
+    });
+    bool any = false;
+    for (size_t k = 0; k < pixels.size(); ++k)
+        if (!worse[k].empty())
+        {
+            any = true;
+            terms.anchor(k, start[pixels[k].sourceImage()].mesh, worse[k]);
+        }
     return any;
 }
 

@@ -83,6 +83,7 @@ Params Params::paper()
     p.matchScale = 0;
     p.gainSupport = 0;
     p.anchorWeight = 0;
+    p.exposureWeight = 0;
     return p;
 }
 

@@ -2,6 +2,7 @@
 #include "pipeline/region_guard.hpp"
 
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 namespace cv
 {
@@ -49,10 +50,16 @@ std::vector<int> worseQuads(const PhotometricTerm& term, const std::vector<Image
 
 double overallMiss(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& images)
 {
+    std::vector<std::vector<QuadMiss>> misses(terms.size());
+    parallel_for_(Range(0, static_cast<int>(terms.size())), [&](const Range& range)
+    {
+        for (int k = range.start; k < range.end; ++k)
+            misses[k] = terms[k].correlate(images);
+    });
     double sum = 0;
     double samples = 0;
-    for (const PhotometricTerm& term : terms)
-        for (const QuadMiss& miss : term.correlate(images))
+    for (const std::vector<QuadMiss>& quads : misses)
+        for (const QuadMiss& miss : quads)
         {
             sum += miss.sum;
             samples += miss.samples;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include "pipeline/region_guard.hpp"
 
@@ -94,16 +95,20 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
     if (!report.message.empty())
         CV_LOG_INFO(NULL, "gcpw: " << report.message);
     measure(problem, states, report);
-    for (const ProblemPair& pair : problem.pairs)
+    report.pairs.resize(problem.pairs.size());
+    parallel_for_(Range(0, static_cast<int>(problem.pairs.size())), [&](const Range& range)
     {
-        PairReport item;
-        item.a = pair.a;
-        item.b = pair.b;
-        item.points = static_cast<int>(pair.matches.points.size());
-        item.lines = static_cast<int>(pair.matches.lines.size());
-        correlate(problem, pair, params, rough, states, item);
-        report.pairs.push_back(item);
-    }
+        for (int k = range.start; k < range.end; ++k)
+        {
+            const ProblemPair& pair = problem.pairs[k];
+            PairReport& item = report.pairs[k];
+            item.a = pair.a;
+            item.b = pair.b;
+            item.points = static_cast<int>(pair.matches.points.size());
+            item.lines = static_cast<int>(pair.matches.lines.size());
+            correlate(problem, pair, params, rough, states, item);
+        }
+    });
 }
 
 Alignment::Image toImage(const MeshGrid& rough, const ImageState& state, Size full_size)

@@ -39,6 +39,8 @@ public:
         double contrast_floor = 0; ///< f > 0: w_q = 0.01 / (v + f^2) with v the variance of Y in 5 x 5 px; 0: w_q = 1
     };
 
+    PhotometricTerm() = default; ///< of no samples
+
     /** @param source_image, target_image indices for the sink
     @param source, target levels of equal scale  @param lattice of the source
     @param target_shift canvas px by which the target is seen beside its own place (a canvas that wraps around) */
@@ -98,8 +100,8 @@ private:
     template <typename Visit>
     void forEachInside(const std::vector<ImageState>& images, int cell, Target& target, Visit visit) const;
 
-    int source_image_;
-    int target_image_;
+    int source_image_ = -1;
+    int target_image_ = -1;
     PyramidLevel target_;
     Lattice lattice_;
     Options options_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include "imaging/wide_vectors.hpp"
 
 namespace cv
 {
@@ -54,7 +55,7 @@ Curvature curvatureOf(const LinearSample& s)
 
 } // namespace
 
-void SampleSums::add(const float* corner_weight, const LinearSample& s)
+GCPW_WIDE_VECTORS void SampleSums::add(const float* corner_weight, const LinearSample& s)
 {
     const Curvature h = curvatureOf(s);
     double part[14] = {};
@@ -166,7 +167,7 @@ double SampleSums::judgeColors(const ColorGrid::Quad& now, double weight, double
     return trust;
 }
 
-void PartnerSums::add(const float* corner_weight, const double* partner_weight, const LinearSample& s)
+GCPW_WIDE_VECTORS void PartnerSums::add(const float* corner_weight, const double* partner_weight, const LinearSample& s)
 {
     const Curvature h = curvatureOf(s);
     double rx = 0;

@@ -103,9 +103,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// Three images or more: how firmly every quad is held where the rough alignment has it, so that long chains of images
     /// do not drift in scale and direction, >= 0.
     CV_PROP_RW double restWeight = 0.01;
-    /// Three images or more: how firmly every quad's colour is held at the one gain and bias of its image that makes whole
-    /// overlaps agree, so that contrast does not drain away along a chain, >= 0.
-    CV_PROP_RW double exposureWeight = 30;
+    /// How firmly the colour of a quad with samples is held at the one gain and bias of its image that makes whole overlaps
+    /// agree, so that faint texture keeps its contrast and none drains away along a chain, >= 0.
+    CV_PROP_RW double exposureWeight = 10;
     /// Least area of a quad's corner as a share of its rough area, in (0, 0.9]; what keeps the mesh from folding.
     CV_PROP_RW double minQuadArea = 0.1;
     //! @}
