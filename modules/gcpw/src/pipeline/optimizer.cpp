@@ -185,7 +185,7 @@ Optimizer::LevelEnd Optimizer::fitMatches(LevelTerms& terms, std::vector<ImageSt
 }
 
 bool Optimizer::anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states,
-                            const std::vector<ImageState>& start)
+                            const std::vector<ImageState>& start) const
 {
     bool any = false;
     for (size_t k = 0; k < terms.pixels().size(); ++k)

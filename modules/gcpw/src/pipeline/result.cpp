@@ -92,7 +92,7 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
         break;
     }
     if (!report.message.empty())
-        CV_LOG_INFO(NULL, "gcpw: " << report.message);
+        CV_LOG_INFO(nullptr, "gcpw: " << report.message);
     measure(problem, states, report);
     for (const ProblemPair& pair : problem.pairs)
     {
