@@ -19,7 +19,10 @@ cv::Mat paintScene()
     cv::RNG random(20);
     cv::Mat scene(SIZE.height + 2 * MARGIN, WIDE + 2 * MARGIN, CV_8UC3);
     for (int y = 0; y < scene.rows; ++y)
-        scene.row(y).setTo(cv::Scalar(220 - y / 8, 190 - y / 8, 150 + y / 12));
+    {
+        const cv::Point3i sky(220 - y / 8, 190 - y / 8, 150 + y / 12);
+        scene.row(y).setTo(cv::Scalar(sky.x, sky.y, sky.z));
+    }
     for (int left = 0; left < scene.cols;)
     {
         const int width = random.uniform(90, 170);

@@ -10,6 +10,7 @@ namespace
 using evaluation::ResultsFile;
 using evaluation::RunKey;
 using evaluation::RunResult;
+using evaluation::RunTable;
 
 const std::vector<std::string> OPTIONS = {"max_megapix=0.48", "meshCols=32"};
 
@@ -47,17 +48,18 @@ TEST(Evaluation_Results, rows_come_back_as_they_were)
         results.append({"a", "dfw", 0}, failed);
     }
     const ResultsFile results(folder.path(), OPTIONS, false);
-    ASSERT_EQ(results.rows().size(), 2u);
+    const RunTable rows = results.rows();
+    ASSERT_EQ(rows.size(), 2u);
     EXPECT_TRUE(results.has({"b", "gcpw", 16}));
     EXPECT_FALSE(results.has({"b", "gcpw", 1}));
-    const RunResult& row = results.rows().at({"b", "gcpw", 16});
+    const RunResult& row = rows.at({"b", "gcpw", 16});
     EXPECT_EQ(row.status, "ok");
     EXPECT_DOUBLE_EQ(row.zncc, 12.25);
     EXPECT_DOUBLE_EQ(row.ncc, 1.225);
     EXPECT_EQ(row.folds, 2);
     EXPECT_DOUBLE_EQ(row.align_ms, 12.5);
-    EXPECT_EQ(results.rows().at({"a", "dfw", 0}).status, "failed");
-    EXPECT_TRUE(std::isnan(results.rows().at({"a", "dfw", 0}).zncc));
+    EXPECT_EQ(rows.at({"a", "dfw", 0}).status, "failed");
+    EXPECT_TRUE(std::isnan(rows.at({"a", "dfw", 0}).zncc));
 }
 
 TEST(Evaluation_Results, a_row_is_in_the_file_as_soon_as_it_is_appended)

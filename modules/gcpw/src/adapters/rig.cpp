@@ -20,8 +20,9 @@ bool sameCamera(const cv::detail::CameraParams& a, const cv::detail::CameraParam
     Mat R_b;
     a.R.convertTo(R_a, CV_32F);
     b.R.convertTo(R_b, CV_32F);
+    // The bits, so that a rotation that is not finite equals itself.
     return a.focal == b.focal && a.aspect == b.aspect && a.ppx == b.ppx && a.ppy == b.ppy && R_a.total() == 9 &&
-           R_b.total() == 9 && std::memcmp(R_a.ptr<float>(), R_b.ptr<float>(), 9 * sizeof(float)) == 0;
+           R_b.total() == 9 && std::memcmp(R_a.data, R_b.data, 9 * sizeof(float)) == 0;
 }
 
 } // namespace

@@ -141,19 +141,19 @@ Alignment failed(Status status, const std::string& message)
 
 } // namespace
 
-Rig alignRig(InputArrayOfArrays image_array, const std::vector<cv::detail::CameraParams>& cameras,
+Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras,
              const Ptr<WarperCreator>& base, const Params& params, const Progress& progress,
              const std::vector<KnownKeypoints>& keypoints)
 {
     if (!base)
         CV_Error(Error::StsNullPtr, "gcpw: alignRig() needs a base warper");
     params.check();
-    std::vector<Mat> images;
-    image_array.getMatVector(images);
-    CV_CheckEQ(images.size(), cameras.size(), "gcpw: alignRig() takes one image for each camera");
-    CV_CheckGE(images.size(), size_t(2), "gcpw: alignRig() takes two images or more");
+    std::vector<Mat> mats;
+    images.getMatVector(mats);
+    CV_CheckEQ(mats.size(), cameras.size(), "gcpw: alignRig() takes one image for each camera");
+    CV_CheckGE(mats.size(), size_t(2), "gcpw: alignRig() takes two images or more");
     if (!keypoints.empty())
-        CV_CheckEQ(images.size(), keypoints.size(), "gcpw: alignRig() takes keypoints for each image, or none");
+        CV_CheckEQ(mats.size(), keypoints.size(), "gcpw: alignRig() takes keypoints for each image, or none");
 
     Rig rig;
     rig.cameras = cameras;
@@ -163,7 +163,7 @@ Rig alignRig(InputArrayOfArrays image_array, const std::vector<cv::detail::Camer
         if (!(rig.scale > 0) || !std::isfinite(rig.scale))
             throw NoAnswer{"the cameras have no focal length"};
         const Ptr<cv::detail::RotationWarper> warper = trueWarper(base->create(rig.scale));
-        const Canvas canvas = warpAll(images, keypoints, *warper, rig);
+        const Canvas canvas = warpAll(mats, keypoints, *warper, rig);
         const Params used = tuned(params, canvas);
         rig.alignment = Aligner::create(used)->align(canvas.corners, canvas.images, canvas.masks,
                                                      std::vector<Correspondences>(), progress, canvas.keypoints);
@@ -182,7 +182,7 @@ Rig alignRig(InputArrayOfArrays image_array, const std::vector<cv::detail::Camer
         rig.alignment = failed(Status::ROUGH, "not enough memory; the plain warper was used");
     }
     if (!rig.alignment.ok())
-        CV_LOG_WARNING(NULL, "gcpw: " << rig.alignment.report().message);
+        CV_LOG_WARNING(nullptr, "gcpw: " << rig.alignment.report().message);
     return rig;
 }
 

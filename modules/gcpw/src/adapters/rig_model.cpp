@@ -2,7 +2,6 @@
 #include "adapters/rig_model.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include "pipeline/result.hpp"
 
 namespace cv
@@ -87,7 +86,7 @@ std::vector<int> RigModel::find(const Matx33f& R) const
 {
     std::vector<int> found;
     for (size_t i = 0; i < items_.size(); ++i)
-        if (std::memcmp(items_[i].R.val, R.val, sizeof(R.val)) == 0)
+        if (items_[i].R == R)
             found.push_back(static_cast<int>(i));
     return found;
 }

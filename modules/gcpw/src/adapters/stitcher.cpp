@@ -66,7 +66,7 @@ public:
             report.status = Status::ROUGH;
             report.message = "the stitcher has shown no images of these cameras; the plain warper was used";
             rig.alignment = Alignment(std::vector<Alignment::Image>(), Size2d(1, 1), report);
-            CV_LOG_WARNING(NULL, "gcpw: " << report.message);
+            CV_LOG_WARNING(nullptr, "gcpw: " << report.message);
             session_->setRig(rig);
             return;
         }

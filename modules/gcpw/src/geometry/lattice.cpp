@@ -30,7 +30,9 @@ Point2d Lattice::restPoint(const CellPoint& point) const
 {
     const double u = point.weight[1] + point.weight[3];
     const double v = point.weight[2] + point.weight[3];
-    return {(point.cell % cols_ + u) * cell_size_.width - 0.5, (point.cell / cols_ + v) * cell_size_.height - 0.5};
+    const int col = point.cell % cols_;
+    const int row = point.cell / cols_;
+    return {(col + u) * cell_size_.width - 0.5, (row + v) * cell_size_.height - 0.5};
 }
 
 bool Lattice::contains(Point2d rest_px) const

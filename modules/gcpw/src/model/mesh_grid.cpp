@@ -80,7 +80,7 @@ bool MeshGrid::invert(Point2d canvas_px, int& hint, CellPoint& point) const
         hint = (rows / 2) * cols + cols / 2;
     // Walk: each quad says in which direction the point lies. Far extrapolations of one quad are wild: move at most a
     // quarter of the lattice at a time. Twice round the lattice is ample.
-    const Point2d reach(cols / 4 + 1, rows / 4 + 1);
+    const Point2d reach = Point(cols / 4 + 1, rows / 4 + 1);
     const int max_steps = 2 * (cols + rows);
     int step = 0;
     for (; step < max_steps; ++step)

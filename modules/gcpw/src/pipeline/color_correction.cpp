@@ -52,7 +52,7 @@ Mat correctColors(const Mat& bgr, const Mat& position, const Mat& mask, const Ma
             for (int y = 0; y < pixels.rows; ++y)
                 for (int x = 0; x < pixels.cols; ++x)
                 {
-                    const Vec2f p = position.at<Vec2f>(rows.start + y, x);
+                    const Vec2f& p = position.at<Vec2f>(rows.start + y, x);
                     const GridValue map = readGrid(color, (p[0] + 0.5F) * sx - 0.5F, (p[1] + 0.5F) * sy - 0.5F);
                     Vec3f& pixel = pixels.at<Vec3f>(y, x);
                     for (int c = 0; c < CHANNELS; ++c)

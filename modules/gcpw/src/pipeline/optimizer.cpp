@@ -186,7 +186,7 @@ Optimizer::LevelEnd Optimizer::fitMatches(LevelTerms& terms, std::vector<ImageSt
 }
 
 bool Optimizer::anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states,
-                            const std::vector<ImageState>& start)
+                            const std::vector<ImageState>& start) const
 {
     const std::vector<PhotometricTerm>& pixels = terms.pixels();
     std::vector<std::vector<int>> worse(pixels.size());

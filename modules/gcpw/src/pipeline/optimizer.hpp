@@ -54,7 +54,7 @@ private:
     LevelEnd fitMatches(LevelTerms& terms, std::vector<ImageState>& states, LevelReport& report);
     OptimizeStatus runPyramid(LevelTerms& terms, std::vector<ImageState>& states, std::vector<LevelReport>& report);
     LevelEnd runLevel(LevelTerms& terms, std::vector<ImageState>& states, int max_iterations, LevelReport& report);
-    bool anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states, const std::vector<ImageState>& start);
+    bool anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states, const std::vector<ImageState>& start) const;
 
     TermEnergies pour(LevelTerms& terms, const std::vector<ImageState>& states);
     SolveStatus safeStep(const std::vector<ImageState>& states, MeshStep& step);

@@ -93,7 +93,7 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
         break;
     }
     if (!report.message.empty())
-        CV_LOG_INFO(NULL, "gcpw: " << report.message);
+        CV_LOG_INFO(nullptr, "gcpw: " << report.message);
     measure(problem, states, report);
     report.pairs.resize(problem.pairs.size());
     parallel_for_(Range(0, static_cast<int>(problem.pairs.size())), [&](const Range& range)
