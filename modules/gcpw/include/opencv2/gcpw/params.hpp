@@ -105,7 +105,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double restWeight = 0.01;
     /// How firmly the colour of a quad with samples is held at the one gain and bias of its image that makes whole overlaps
     /// agree, so that faint texture keeps its contrast and none drains away along a chain, >= 0.
-    CV_PROP_RW double exposureWeight = 10;
+    CV_PROP_RW double exposureWeight = 8;
     /// Least area of a quad's corner as a share of its rough area, in (0, 0.9]; what keeps the mesh from folding.
     CV_PROP_RW double minQuadArea = 0.1;
     //! @}
