@@ -47,7 +47,7 @@ std::vector<PhotometricTerm> termsOf(const Problem& problem)
 TEST(Gcpw_ColorRest, exposures_along_a_chain_are_found)
 {
     const Problem problem = chain(true);
-    const std::vector<ColorGrid::Quad> found = estimateExposures(termsOf(problem), roughStates(problem), {true, false, false});
+    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(termsOf(problem), roughStates(problem)), {true, false, false});
     EXPECT_NEAR(found[0][0].gain, 1, 1e-3);
     EXPECT_NEAR(found[0][0].bias, 0, 1e-3);
     for (int i = 1; i < 3; ++i)
@@ -61,7 +61,7 @@ TEST(Gcpw_ColorRest, exposures_along_a_chain_are_found)
 TEST(Gcpw_ColorRest, where_no_image_is_held_exposures_are_one_on_average)
 {
     const Problem problem = chain(false);
-    const std::vector<ColorGrid::Quad> found = estimateExposures(termsOf(problem), roughStates(problem), {false, false, false});
+    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(termsOf(problem), roughStates(problem)), {false, false, false});
     double log_gain = 0;
     double bias = 0;
     for (const ColorGrid::Quad& quad : found)
@@ -80,7 +80,7 @@ TEST(Gcpw_ColorRest, misalignment_hardly_matters)
     std::vector<ImageState> states = roughStates(problem);
     for (Point2d& vertex : states[1].mesh.vertices())
         vertex += Point2d(6, -5);
-    const std::vector<ColorGrid::Quad> found = estimateExposures(termsOf(problem), states, {true, false, false});
+    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(termsOf(problem), states), {true, false, false});
     for (int i = 1; i < 3; ++i)
         EXPECT_NEAR(found[i][0].gain, 1 / GAINS[i], 0.15 / GAINS[i]);
 }
@@ -89,10 +89,10 @@ TEST(Gcpw_ColorRest, quads_without_samples_take_the_exposure_of_their_image)
 {
     const Problem problem = chain(true);
     const std::vector<ImageState> states = roughStates(problem);
-    const std::vector<PhotometricTerm> terms = termsOf(problem);
-    const std::vector<ColorGrid::Quad> exposures = estimateExposures(terms, states, {true, false, false});
+    const std::vector<ColorComparison> comparisons = compareColors(termsOf(problem), states);
+    const std::vector<ColorGrid::Quad> exposures = estimateExposures(comparisons, {true, false, false});
     ColorSystem system({LATTICE, LATTICE, LATTICE}, {true, false, false});
-    ColorRest(problem, 1, 1).pull(terms, states, system);
+    ColorRest(problem, 1, 1).pull(comparisons, system);
     std::vector<ColorGrid> grids(3, ColorGrid(LATTICE));
     ASSERT_EQ(system.solve(grids), SolveStatus::Solved);
     for (int i = 1; i < 3; ++i)

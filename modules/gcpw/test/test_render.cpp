@@ -161,6 +161,24 @@ TEST(Gcpw_Render, multiband_shows_both_photographs_without_a_step_of_color)
     EXPECT_LT(differenceInOverlap(panorama, canvas.target, canvas), 6);
 }
 
+TEST(Gcpw_Render, multiband_does_not_mix_in_what_lies_outside_the_masks)
+{
+    PairCanvas canvas;
+    const Size size(300, 200);
+    canvas.source_mask = Mat::zeros(size, CV_8UC1);
+    canvas.target_mask = Mat::zeros(size, CV_8UC1);
+    canvas.source_mask(Rect(100, 20, 200, 150)).setTo(255);
+    canvas.target_mask(Rect(0, 50, 180, 150)).setTo(255);
+    canvas.source = Mat::zeros(size, CV_8UC3);
+    canvas.target = Mat::zeros(size, CV_8UC3);
+    const Scalar gray = Scalar::all(140);
+    canvas.source.setTo(gray, canvas.source_mask);
+    canvas.target.setTo(gray, canvas.target_mask);
+    canvas.source_corrected = canvas.source;
+    const Mat panorama = blendPair(canvas, Blend::MULTIBAND);
+    EXPECT_LE(cv::norm(panorama, Mat(size, CV_8UC3, gray), NORM_INF, canvas.source_mask | canvas.target_mask), 8);
+}
+
 TEST(Gcpw_Render, stitching_is_all_of_it_in_one_call_and_leaves_the_output_alone_when_it_fails)
 {
     const Scene scene{smallScene()};

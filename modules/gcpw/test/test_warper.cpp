@@ -140,6 +140,23 @@ TEST_P(Gcpw_Warper, masks_hold_no_pixel_outside_the_mesh)
             }
 }
 
+TEST_P(Gcpw_Warper, beside_the_mesh_a_mirrored_picture_goes_on_with_the_colours_next_to_it)
+{
+    const Base base = GetParam();
+    const gcpw::Rig rig = bentRig(base.creator, base.cameras, 7);
+    const Ptr<cv::detail::RotationWarper> warper = Creator(base.creator, rig).create(rig.scale);
+    const cv::detail::CameraParams& camera = rig.cameras[0];
+    Mat image(RIG_IMAGE, CV_8UC3, Scalar::all(140));
+    image(Rect(0, 0, 2, 2)).setTo(Scalar::all(0)); // what a map without an answer would show
+    Mat mirrored;
+    Mat plain;
+    warper->warp(image, intrinsics(camera), camera.R, INTER_LINEAR, BORDER_REFLECT, mirrored);
+    warper->warp(image, intrinsics(camera), camera.R, INTER_LINEAR, BORDER_CONSTANT, plain);
+    const Mat dark = mirrored.reshape(1) < 70;
+    EXPECT_LE(countNonZero(dark), 100 * 3);
+    EXPECT_GT(countNonZero(plain.reshape(1) == 0), countNonZero(dark));
+}
+
 TEST_P(Gcpw_Warper, warpBackward_undoes_warp)
 {
     const Base base = GetParam();

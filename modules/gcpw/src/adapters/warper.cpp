@@ -8,6 +8,7 @@
 #include "adapters/rig_model.hpp"
 #include "adapters/seam_turn.hpp"
 #include "adapters/warp_maps.hpp"
+#include "imaging/extension.hpp"
 
 namespace cv
 {
@@ -188,6 +189,9 @@ Point GcpwWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mo
         Mat part = picture.rowRange(rows);
         remap(image, part, impl_->x_map.rowRange(rows), impl_->y_map.rowRange(rows), interp_mode, border_mode);
     }
+    // A mirrored image ends nowhere under the base warper either: blenders mix what lies beyond the border.
+    if (border_mode == BORDER_REFLECT || border_mode == BORDER_REFLECT_101 || border_mode == BORDER_REPLICATE)
+        extendOutside(picture, (impl_->x_map != -1) | (impl_->y_map != -1));
     return impl_->roi.tl();
 }
 

@@ -3,6 +3,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/stitching/detail/blenders.hpp>
 #include <opencv2/stitching/detail/seam_finders.hpp>
+#include "imaging/extension.hpp"
 #include "opencv2/gcpw/pair.hpp"
 
 namespace cv
@@ -67,6 +68,7 @@ Mat blendMultiband(const PairCanvas& canvas)
     {
         Mat wide;
         images[i].convertTo(wide, CV_16S);
+        extendOutside(wide, masks[i]);
         blender.feed(wide, kept[i], Point());
     }
     Mat blended;

@@ -10,9 +10,8 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief The colours that fit best while the images stand still (eq. initialfunction), coarse to fine.
+/** @brief The colours that fit best while the images stand still where they are: balancedColors().
 
-The most central image, or Params::referenceImage, keeps its colours.
 @param corners canvas position of each image  @param images CV_8UC3 or CV_8UC1  @param masks CV_8UC1, non-zero inside
 @return one meshRows x meshCols, CV_32FC(6) per image, as in Alignment::Image; the identity where nothing overlaps or the
 system has no answer */

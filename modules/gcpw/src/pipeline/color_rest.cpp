@@ -59,35 +59,36 @@ private:
 
 } // namespace
 
-std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm>& terms,
-                                               const std::vector<ImageState>& states, const std::vector<bool>& held)
+std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
+                                               const std::vector<bool>& held)
 {
-    std::vector<PhotometricTerm::Moments> moments;
-    for (const PhotometricTerm& term : terms)
-        moments.push_back(term.moments(states));
-    std::vector<ColorGrid::Quad> exposures(states.size());
+    std::vector<ColorMoments> moments(comparisons.size());
+    for (size_t k = 0; k < comparisons.size(); ++k)
+        for (const PhotometricTerm::QuadColors& quads : comparisons[k].quads)
+            moments[k].add(quads.moments, trustIn(quads.moments));
+    std::vector<ColorGrid::Quad> exposures(held.size());
     for (int c = 0; c < CHANNELS; ++c)
     {
         Differences log_gains(held);
-        for (size_t k = 0; k < terms.size(); ++k)
+        for (size_t k = 0; k < comparisons.size(); ++k)
         {
-            const PhotometricTerm::Moments& m = moments[k];
-            if (m.samples > 0)
-                log_gains.add(terms[k].sourceImage(), terms[k].targetImage(),
-                              0.5 * std::log((m.target_variance[c] + NOISE_VARIANCE) / (m.source_variance[c] + NOISE_VARIANCE)),
-                              m.samples);
+            const ColorMoments& m = moments[k];
+            if (m.samples() > 0)
+                log_gains.add(comparisons[k].source_image, comparisons[k].target_image,
+                              0.5 * std::log((m.targetVariance(c) + NOISE_VARIANCE) / (m.sourceVariance(c) + NOISE_VARIANCE)),
+                              m.samples());
         }
         const std::vector<double> logs = log_gains.solve();
         for (size_t i = 0; i < exposures.size(); ++i)
             exposures[i][c].gain = std::min(std::max(std::exp(logs[i]), 1 / MAX_GAIN), MAX_GAIN);
         Differences biases(held);
-        for (size_t k = 0; k < terms.size(); ++k)
+        for (size_t k = 0; k < comparisons.size(); ++k)
         {
-            const int a = terms[k].sourceImage();
-            const int b = terms[k].targetImage();
-            const PhotometricTerm::Moments& m = moments[k];
-            if (m.samples > 0)
-                biases.add(a, b, exposures[b][c].gain * m.target_mean[c] - exposures[a][c].gain * m.source_mean[c], m.samples);
+            const int a = comparisons[k].source_image;
+            const int b = comparisons[k].target_image;
+            const ColorMoments& m = moments[k];
+            if (m.samples() > 0)
+                biases.add(a, b, exposures[b][c].gain * m.targetMean(c) - exposures[a][c].gain * m.sourceMean(c), m.samples());
         }
         const std::vector<double> found = biases.solve();
         for (size_t i = 0; i < exposures.size(); ++i)
@@ -96,33 +97,43 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm
     return exposures;
 }
 
-void ColorRest::pull(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& states, ColorSystem& colors)
+void pullColors(const std::vector<ColorComparison>& comparisons, const std::vector<Lattice>& lattices, const ColorPull& inside,
+                const ColorPull& outside, ColorSystem& colors)
 {
-    if (exposures_.empty())
-    {
-        std::vector<bool> held;
-        for (const ProblemImage& image : problem_.images)
-            held.push_back(image.held);
-        exposures_.resize(states.size());
-        if (problem_.isChain() || exposure_weight_ > 0)
-            exposures_ = estimateExposures(terms, states, held);
-    }
-    std::vector<std::vector<int>> inside;
-    for (const ImageState& state : states)
-        inside.emplace_back(state.mesh.lattice().cellCount(), 0);
-    for (const PhotometricTerm& term : terms)
-        term.countInside(states, inside[term.sourceImage()], inside[term.targetImage()]);
-    // In a pair colours fade to the photograph's own outside the overlap, as in the paper.
-    const std::vector<ColorGrid::Quad> outside = problem_.isChain() ? exposures_ : std::vector<ColorGrid::Quad>(states.size());
-    colors.clearPulls();
-    for (size_t i = 0; i < states.size(); ++i)
-        for (size_t cell = 0; cell < inside[i].size(); ++cell)
+    std::vector<std::vector<bool>> compared;
+    for (const Lattice& lattice : lattices)
+        compared.emplace_back(lattice.cellCount(), false);
+    for (const ColorComparison& comparison : comparisons)
+        for (const PhotometricTerm::QuadColors& quads : comparison.quads)
         {
-            const bool overlaps = inside[i][cell] > 0;
-            const double weight = overlaps ? exposure_weight_ : rest_weight_;
-            if (weight > 0)
-                colors.addPull({static_cast<int>(i), static_cast<int>(cell)}, weight, overlaps ? exposures_[i] : outside[i]);
+            compared[comparison.source_image][quads.source_cell] = true;
+            compared[comparison.target_image][quads.target_cell] = true;
         }
+    colors.clearPulls();
+    for (size_t i = 0; i < lattices.size(); ++i)
+        for (size_t cell = 0; cell < compared[i].size(); ++cell)
+        {
+            const ColorPull& pull = compared[i][cell] ? inside : outside;
+            if (pull.weights[i] > 0)
+                colors.addPull({static_cast<int>(i), static_cast<int>(cell)}, pull.weights[i], pull.rest[i]);
+        }
+}
+
+void ColorRest::pull(const std::vector<ColorComparison>& comparisons, ColorSystem& colors)
+{
+    const std::vector<ColorGrid::Quad> identity(problem_.images.size());
+    std::vector<Lattice> lattices;
+    std::vector<bool> held;
+    for (const ProblemImage& image : problem_.images)
+    {
+        lattices.push_back(image.rough.lattice());
+        held.push_back(image.held);
+    }
+    if (exposures_.empty())
+        exposures_ = problem_.isChain() || exposure_weight_ > 0 ? estimateExposures(comparisons, held) : identity;
+    // In a pair colours fade to the photograph's own outside the overlap, as in the paper.
+    pullColors(comparisons, lattices, {std::vector<double>(lattices.size(), exposure_weight_), exposures_},
+               {std::vector<double>(lattices.size(), rest_weight_), problem_.isChain() ? exposures_ : identity}, colors);
 }
 
 } // namespace gcpw

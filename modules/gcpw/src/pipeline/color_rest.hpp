@@ -4,8 +4,8 @@
 
 #include <vector>
 #include "energy/color_system.hpp"
+#include "pipeline/color_comparison.hpp"
 #include "pipeline/problem.hpp"
-#include "terms/photometric_term.hpp"
 
 namespace cv
 {
@@ -14,10 +14,21 @@ namespace gcpw
 
 /** @brief One gain and bias per channel for each image as a whole, so that overlaps agree in mean and contrast.
 
-Moments of whole overlaps hardly depend on how well they line up, so these are known before any pixel is aligned. Of all
-that fit equally well the one of mean log gain 0 and mean bias 0 is chosen; images that are held keep (1, 0). */
-std::vector<ColorGrid::Quad> estimateExposures(const std::vector<PhotometricTerm>& terms,
-                                               const std::vector<ImageState>& states, const std::vector<bool>& held);
+Moments of whole overlaps hardly depend on how well they line up, so these are known before any pixel is aligned; quads
+count as far as they show the same thing (trustIn()). Of all that fit equally well the one of mean log gain 0 and mean bias 0 is chosen; images that are held keep (1, 0). */
+std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
+                                               const std::vector<bool>& held);
+
+/// Where the colours of quads rest, one colour an image, and how firmly.
+struct ColorPull
+{
+    std::vector<double> weights;
+    std::vector<ColorGrid::Quad> rest;
+};
+
+/// Replaces all pulls of a colour system: `inside` for quads that are compared with others, `outside` for the rest.
+void pullColors(const std::vector<ColorComparison>& comparisons, const std::vector<Lattice>& lattices, const ColorPull& inside,
+                const ColorPull& outside, ColorSystem& colors);
 
 /** @brief Where colours rest that nothing informs: E_r of eq. initialfunction, and a weak pull elsewhere.
 
@@ -34,7 +45,7 @@ public:
     }
 
     /// Sets the pulls for the present meshes. The exposures are estimated once, at the first call.
-    void pull(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& states, ColorSystem& colors);
+    void pull(const std::vector<ColorComparison>& comparisons, ColorSystem& colors);
 
 private:
     const Problem& problem_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <opencv2/core/utility.hpp>
+#include "pipeline/color_balance.hpp"
 #include "pipeline/region_guard.hpp"
 #include "terms/color_smoothness_term.hpp"
 
@@ -223,7 +224,7 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
         terms.enterLevel(static_cast<int>(level));
         if (recipe_.colors)
         {
-            color_rest_.pull(terms.pixels(), states, system_.colors());
+            color_rest_.pull(compareColors(terms.pixels(), states), system_.colors());
             std::vector<ColorGrid> colors = colorsOf(states);
             pour(terms, states);
             system_.solveColors(colors);
@@ -243,6 +244,12 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
     if (params_.anchorWeight > 0 && overallMiss(terms.pixels(), states) > STRICTLY_BETTER * overallMiss(terms.pixels(), start))
         for (size_t i = 0; i < states.size(); ++i)
             states[i].mesh = start[i].mesh;
+    if (recipe_.colors && problem_.isChain() && params_.balanceWeight > 0)
+    {
+        const std::vector<ColorGrid> colors = balancedColors(terms.pixels(), states, params_);
+        for (size_t i = 0; i < states.size(); ++i)
+            states[i].color = colors[i];
+    }
     return OptimizeStatus::Done;
 }
 

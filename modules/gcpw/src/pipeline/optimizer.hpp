@@ -32,6 +32,7 @@ enum class OptimizeStatus
 1. Matches alone, their loss narrowing from wide to strict: methods without pixels end here.
 2. The pyramid, coarse to fine: colours first (eq. initialfunction), then Gauss-Newton steps on meshes and colours.
 3. Regions that the pixels made worse than the matches had them are anchored there, and the finest level runs again.
+4. Of more than two images: colours that are fit to be seen (balancedColors()).
 
 No step folds a quad, and no accepted step raises the energy. */
 class Optimizer

@@ -51,6 +51,7 @@ const Field FIELDS[] = {
     {"revertRatio", nullptr, &Params::revertRatio, 1, INF, true},
     {"restWeight", nullptr, &Params::restWeight, 0, INF, true},
     {"exposureWeight", nullptr, &Params::exposureWeight, 0, INF, true},
+    {"balanceWeight", nullptr, &Params::balanceWeight, 0, INF, true},
     {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
     {"contrastThreshold", nullptr, &Params::contrastThreshold, 0, 1, false},
     {"matchRatio", nullptr, &Params::matchRatio, 0, 1, false},
@@ -84,6 +85,7 @@ Params Params::paper()
     p.gainSupport = 0;
     p.anchorWeight = 0;
     p.exposureWeight = 0;
+    p.balanceWeight = 0;
     return p;
 }
 

@@ -286,29 +286,22 @@ std::vector<PhotometricTerm::QuadMiss> PhotometricTerm::correlate(const std::vec
     return misses;
 }
 
-PhotometricTerm::Moments PhotometricTerm::moments(const std::vector<ImageState>& images) const
+std::vector<PhotometricTerm::QuadColors> PhotometricTerm::compareColors(const std::vector<ImageState>& images) const
 {
-    Moments result;
-    Target target(images[target_image_], target_shift_, false);
+    std::vector<QuadColors> result;
+    Target target(images[target_image_], target_shift_, true);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
+    {
+        const size_t first = result.size();
         forEachInside(images, cell, target, [&](const Sample& sample, const PixelSample& pixel, const double*, double)
         {
-            ++result.samples;
-            for (int c = 0; c < 3; ++c)
-            {
-                result.source_mean[c] += sample.value[c];
-                result.target_mean[c] += pixel.value[c];
-                result.source_variance[c] += sample.value[c] * sample.value[c];
-                result.target_variance[c] += pixel.value[c] * pixel.value[c];
-            }
+            const int other = target.point().cell;
+            auto found = std::find_if(result.begin() + first, result.end(),
+                                      [other](const QuadColors& item) { return item.target_cell == other; });
+            if (found == result.end())
+                found = result.insert(found, {cell, other, ColorMoments()});
+            found->moments.add(sample.value, pixel.value);
         });
-    const double n = std::max(result.samples, 1);
-    for (int c = 0; c < 3; ++c)
-    {
-        result.source_mean[c] /= n;
-        result.target_mean[c] /= n;
-        result.source_variance[c] = std::max(result.source_variance[c] / n - result.source_mean[c] * result.source_mean[c], 0.0);
-        result.target_variance[c] = std::max(result.target_variance[c] / n - result.target_mean[c] * result.target_mean[c], 0.0);
     }
     return result;
 }
@@ -317,18 +310,6 @@ void PhotometricTerm::freeze(const std::vector<int>& cells)
 {
     for (int cell : cells)
         frozen_[cell] = true;
-}
-
-void PhotometricTerm::countInside(const std::vector<ImageState>& images, std::vector<int>& source,
-                                  std::vector<int>& target_count) const
-{
-    Target target(images[target_image_], target_shift_, true);
-    for (int cell = 0; cell < lattice_.cellCount(); ++cell)
-        forEachInside(images, cell, target, [&](const Sample&, const PixelSample&, const double*, double)
-        {
-            ++source[cell];
-            ++target_count[target.point().cell];
-        });
 }
 
 } // namespace gcpw

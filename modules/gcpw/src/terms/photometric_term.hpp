@@ -8,6 +8,7 @@
 #include "imaging/sampler.hpp"
 #include "model/color_grid.hpp"
 #include "model/mesh_grid.hpp"
+#include "terms/color_moments.hpp"
 
 namespace cv
 {
@@ -70,22 +71,18 @@ public:
     };
     std::vector<QuadMiss> correlate(const std::vector<ImageState>& images) const;
 
-    /// What the two images show of their overlap, before any correction.
-    struct Moments
+    /// What the two images show where a quad of the source lies on a quad of the target, before any correction.
+    struct QuadColors
     {
-        int samples = 0;
-        double source_mean[3] = {};
-        double target_mean[3] = {};
-        double source_variance[3] = {};
-        double target_variance[3] = {};
+        int source_cell = -1;
+        int target_cell = -1;
+        ColorMoments moments;
     };
-    Moments moments(const std::vector<ImageState>& images) const;
+    /// In the order of the source's quads.
+    std::vector<QuadColors> compareColors(const std::vector<ImageState>& images) const;
 
     /// Quads whose samples may no longer move a mesh; they go on informing the colours.
     void freeze(const std::vector<int>& cells);
-
-    /// Adds the number of samples inside the target, to every quad of the source and every quad of the target.
-    void countInside(const std::vector<ImageState>& images, std::vector<int>& source, std::vector<int>& target) const;
 
 private:
     struct Sample

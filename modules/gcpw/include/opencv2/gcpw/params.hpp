@@ -106,6 +106,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// How firmly the colour of a quad with samples is held at the one gain and bias of its image that makes whole overlaps
     /// agree, so that faint texture keeps its contrast and none drains away along a chain, >= 0.
     CV_PROP_RW double exposureWeight = 8;
+    /// The same, for each sample of a quad, for the colours that more than two images are shown with, and for GcpwCompensator
+    /// by itself: these are found once the meshes stand, from means and contrasts; 0 shows the alignment's colours, >= 0.
+    CV_PROP_RW double balanceWeight = 1.5;
     /// Least area of a quad's corner as a share of its rough area, in (0, 0.9]; what keeps the mesh from folding.
     CV_PROP_RW double minQuadArea = 0.1;
     //! @}

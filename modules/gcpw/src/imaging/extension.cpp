@@ -1,0 +1,57 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "imaging/extension.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+/// Push: colours times coverage, and coverage, at half the size; pull: where nothing is covered, the coarser colours.
+Mat filled(const Mat& covered_colors, const Mat& coverage)
+{
+    const Size size = coverage.size();
+    Mat coverage_of_all;
+    merge(std::vector<Mat>(covered_colors.channels(), coverage), coverage_of_all);
+    Mat colors;
+    divide(covered_colors, coverage_of_all, colors);
+    const Mat outside = coverage <= 0;
+    if (size.area() == 1 || countNonZero(outside) == 0)
+        return colors;
+    const Size half((size.width + 1) / 2, (size.height + 1) / 2);
+    Mat half_colors;
+    Mat half_coverage;
+    resize(covered_colors, half_colors, half, 0, 0, INTER_AREA);
+    resize(coverage, half_coverage, half, 0, 0, INTER_AREA);
+    Mat coarser;
+    resize(filled(half_colors, half_coverage), coarser, size, 0, 0, INTER_LINEAR);
+    coarser.copyTo(colors, outside);
+    return colors;
+}
+
+} // namespace
+
+void extendOutside(Mat& image, const Mat& mask)
+{
+    CV_Assert(mask.type() == CV_8UC1 && mask.size() == image.size());
+    const Mat inside = mask > 0;
+    const int count = countNonZero(inside);
+    if (count == 0 || count == mask.size().area())
+        return;
+    Mat covered_colors = Mat::zeros(image.size(), CV_32FC(image.channels()));
+    Mat colors;
+    image.convertTo(colors, CV_32F);
+    colors.copyTo(covered_colors, inside);
+    Mat coverage;
+    inside.convertTo(coverage, CV_32F, 1 / 255.0);
+    Mat result;
+    filled(covered_colors, coverage).convertTo(result, image.depth());
+    result.copyTo(image, inside == 0);
+}
+
+} // namespace gcpw
+} // namespace cv
