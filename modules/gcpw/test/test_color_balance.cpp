@@ -78,6 +78,26 @@ TEST(Gcpw_ColorBalance, photographs_of_one_scene_agree_afterwards)
         EXPECT_NEAR(colors[1].quad(cell)[0].gain / colors[0].quad(cell)[0].gain, 1 / 0.7, 0.1);
 }
 
+TEST(Gcpw_ColorBalance, a_light_that_varies_over_a_photograph_is_followed)
+{
+    Trio trio({1, 1, 1}, {0, 0, 0}, true);
+    Mat images[2] = {Mat(SIZE, CV_8UC3), Mat(SIZE, CV_8UC3)};
+    for (int y = 0; y < SIZE.height; ++y)
+        for (int x = 0; x < SIZE.width; ++x)
+            for (int i = 0; i < 2; ++i)
+                images[i].at<Vec3b>(y, x) = Vec3b((i == 0 ? 1 : 0.6 + 0.8 * y / SIZE.height) * 255.0 *
+                                                  Texture(8).at(ORIGINS[i] + Point2d(x, y)));
+    trio.terms.assign(1, PhotometricTerm(1, 0, buildPyramid(images[1], Mat(), 1)[0], buildPyramid(images[0], Mat(), 1)[0], LATTICE,
+                                         PhotometricTerm::Options()));
+    Params params;
+    params.referenceImage = 0;
+    params.balanceWeight = 0.01;
+    params.colorSmoothnessWeight = 0.1;
+    const std::vector<ColorGrid> colors = balancedColors(trio.terms, trio.states, params);
+    EXPECT_LT(trio.difference(colors), 0.01);
+    EXPECT_NEAR(colors[1].quad(1)[0].gain / colors[1].quad(5 * 8 + 1)[0].gain, 1.33 / 0.67, 0.3);
+}
+
 TEST(Gcpw_ColorBalance, contrast_stays_where_photographs_show_different_things)
 {
     const Trio trio({1, 1, 1}, {0, 0, 0}, false);
