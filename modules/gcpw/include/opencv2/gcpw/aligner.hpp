@@ -31,7 +31,8 @@ struct CV_EXPORTS KnownKeypoints
 /** @brief Refines roughly aligned images on a canvas: meshes and colours of all of them in one problem.
 
 Every pair that overlaps ties its two images, so loops close and no image is privileged by its order. The reference
-image (Params::referenceImage) keeps its place and colours. */
+image (Params::referenceImage) keeps its place. Of two images it keeps its colours too; of more only if it is named, else
+colours are changed by mean gain 1 and mean bias 0 (Params::balanceWeight). */
 class CV_EXPORTS Aligner : public Algorithm
 {
 public:

@@ -19,7 +19,8 @@ struct Session;
 
 /** @brief Makes colours agree with a local affine map on every quad of each image.
 
-On its own, feed() estimates the colours while the images stand still (eq. initialfunction). With a rig (see
+On its own, feed() estimates colours by the means and contrasts of overlapping quads while the images stand still
+(Params::balanceWeight); no image is privileged unless Params::referenceImage names one. With a rig (see
 GcpwWarper::compensator) the colours of the joint alignment are kept and feed() does nothing. */
 class CV_EXPORTS GcpwCompensator : public cv::detail::ExposureCompensator
 {
