@@ -18,8 +18,9 @@ FLOORS = {
     "energy": 2,
     "terms": 3,
     "matching": 3,
-    "pipeline": 4,
-    "adapters": 5,
+    "color": 4,
+    "pipeline": 5,
+    "adapters": 6,
 }
 EIGEN_ROOM = "energy"
 OUTSIDE = ("evaluation", "samples", "test", "perf", "common")

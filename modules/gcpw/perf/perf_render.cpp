@@ -6,7 +6,7 @@
 #include <opencv2/stitching/detail/warpers.hpp>
 #include "model/inverse_map.hpp"
 #include "pair_problem.hpp"
-#include "pipeline/color_correction.hpp"
+#include "color/color_correction.hpp"
 #include "thread_count.hpp"
 
 namespace opencv_test { namespace {

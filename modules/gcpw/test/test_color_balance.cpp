@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include "imaging/pyramid.hpp"
-#include "pipeline/color_balance.hpp"
+#include "color/color_balance.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {

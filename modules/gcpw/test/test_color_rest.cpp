@@ -3,6 +3,7 @@
 
 #include <opencv2/imgproc.hpp>
 #include "imaging/pyramid.hpp"
+#include "color/exposures.hpp"
 #include "pipeline/color_rest.hpp"
 #include "pipeline/result.hpp"
 #include "scene.hpp"

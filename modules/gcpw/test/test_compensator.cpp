@@ -1,7 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
-#include "pipeline/color_correction.hpp"
+#include "color/color_correction.hpp"
 #include "rig_scene.hpp"
 
 namespace opencv_test { namespace {

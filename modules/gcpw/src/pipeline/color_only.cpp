@@ -2,7 +2,7 @@
 #include "pipeline/color_only.hpp"
 
 #include "imaging/photograph.hpp"
-#include "pipeline/color_balance.hpp"
+#include "color/color_balance.hpp"
 #include "pipeline/image_graph.hpp"
 #include "pipeline/level_terms.hpp"
 #include "pipeline/result.hpp"

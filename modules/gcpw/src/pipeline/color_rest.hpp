@@ -3,32 +3,14 @@
 #define OPENCV_GCPW_COLOR_REST_HPP
 
 #include <vector>
+#include "color/color_comparison.hpp"
 #include "energy/color_system.hpp"
-#include "pipeline/color_comparison.hpp"
 #include "pipeline/problem.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
-
-/** @brief One gain and bias per channel for each image as a whole, so that overlaps agree in mean and contrast.
-
-Moments of whole overlaps hardly depend on how well they line up, so these are known before any pixel is aligned; quads
-count as far as they show the same thing (trustIn()). Of all that fit equally well the one of mean log gain 0 and mean bias 0 is chosen; images that are held keep (1, 0). */
-std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
-                                               const std::vector<bool>& held);
-
-/// Where the colours of quads rest, one colour an image, and how firmly.
-struct ColorPull
-{
-    std::vector<double> weights;
-    std::vector<ColorGrid::Quad> rest;
-};
-
-/// Replaces all pulls of a colour system: `inside` for quads that are compared with others, `outside` for the rest.
-void pullColors(const std::vector<ColorComparison>& comparisons, const std::vector<Lattice>& lattices, const ColorPull& inside,
-                const ColorPull& outside, ColorSystem& colors);
 
 /** @brief Where colours rest that nothing informs: E_r of eq. initialfunction, and a weak pull elsewhere.
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <opencv2/core/utility.hpp>
-#include "pipeline/color_balance.hpp"
+#include "color/color_balance.hpp"
 #include "pipeline/region_guard.hpp"
 #include "terms/color_smoothness_term.hpp"
 

@@ -4,7 +4,7 @@
 #include "imaging/score.hpp"
 #include "model/inverse_map.hpp"
 #include "opencv2/gcpw/pair.hpp"
-#include "pipeline/color_correction.hpp"
+#include "color/color_correction.hpp"
 #include "pipeline/mesh_overlay.hpp"
 #include "pipeline/result.hpp"
 

@@ -1,5 +1,5 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#include "pipeline/color_correction.hpp"
+#include "color/color_correction.hpp"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,5 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#include "pipeline/color_comparison.hpp"
+#include "color/color_comparison.hpp"
 
 #include <opencv2/core/utility.hpp>
 

@@ -1,9 +1,11 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#include "pipeline/color_balance.hpp"
+#include "color/color_balance.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include "pipeline/color_rest.hpp"
+#include "color/color_comparison.hpp"
+#include "color/color_pull.hpp"
+#include "color/exposures.hpp"
 #include "terms/color_smoothness_term.hpp"
 
 namespace cv
