@@ -4,9 +4,9 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/stitching/detail/exposure_compensate.hpp>
 #include <opencv2/stitching/detail/warpers.hpp>
+#include "color/color_correction.hpp"
 #include "model/inverse_map.hpp"
 #include "pair_problem.hpp"
-#include "color/color_correction.hpp"
 #include "thread_count.hpp"
 
 namespace opencv_test { namespace {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include "color/color_comparison.hpp"
 #include "color/color_pull.hpp"
 #include "color/exposures.hpp"
@@ -18,7 +19,6 @@ namespace
 
 const int PASSES = 3;             ///< Newton's method on a logarithm close to its root
 const double MIN_VARIANCE = 1e-5; ///< of an intensity: noise of 8-bit images, no contrast to compare
-const double MAX_GAIN = 3;        ///< between two photographs of one scene
 
 /// The two residuals of every channel, squared and linearised at the present colours.
 void compare(const ColorMoments& moments, double weight, const ColorGrid::Quad& source, const ColorGrid::Quad& target,
@@ -26,9 +26,9 @@ void compare(const ColorMoments& moments, double weight, const ColorGrid::Quad& 
 {
     for (int c = 0; c < CHANNELS; ++c)
     {
-        const double mean = source[c].gain * moments.sourceMean(c) + source[c].bias - target[c].gain * moments.targetMean(c) - target[c].bias;
         const double m = moments.sourceMean(c);
         const double n = moments.targetMean(c);
+        const double mean = source[c].gain * m + source[c].bias - target[c].gain * n - target[c].bias;
         own.color_color[c] = {{weight * m * m, weight * m, weight}};
         other.color_color[c] = {{weight * n * n, weight * n, weight}};
         own.color_gradient[c] = {{weight * mean * m, weight * mean}};
@@ -80,13 +80,12 @@ std::vector<ColorGrid> balancedColors(const std::vector<PhotometricTerm>& terms,
         lattices.push_back(state.mesh.lattice());
         colors.emplace_back(state.mesh.lattice());
     }
+    if (terms.empty())
+        return colors;
     std::vector<bool> held(count, false);
     if (params.referenceImage >= 0 && params.referenceImage < static_cast<int>(count))
         held[params.referenceImage] = true;
-    std::vector<ImageState> untouched = states;
-    for (size_t i = 0; i < count; ++i)
-        untouched[i].color = colors[i];
-    const std::vector<ColorComparison> comparisons = compareColors(terms, untouched);
+    const std::vector<ColorComparison> comparisons = compareColors(terms, states);
     const std::vector<ColorGrid::Quad> exposures = estimateExposures(comparisons, held);
     ColorSystem system(lattices, held);
     for (size_t i = 0; i < count; ++i)
@@ -95,18 +94,23 @@ std::vector<ColorGrid> balancedColors(const std::vector<PhotometricTerm>& terms,
     for (const Lattice& lattice : lattices)
         firmly.push_back(params.balanceWeight * lattice.cellSize().area() / (params.sampleStep * params.sampleStep));
     pullColors(comparisons, lattices, {firmly, exposures}, {std::vector<double>(count, params.colorRestWeight), exposures}, system);
-    for (size_t i = 0; i < count; ++i)
-        for (int cell = 0; !held[i] && cell < lattices[i].cellCount(); ++cell)
-            colors[i].quad(cell) = exposures[i];
+    const auto for_each_free = [&](const std::function<void(size_t image, ColorGrid::Quad& quad)>& change)
+    {
+        for (size_t i = 0; i < count; ++i)
+            for (int cell = 0; !held[i] && cell < lattices[i].cellCount(); ++cell)
+                change(i, colors[i].quad(cell));
+    };
+    for_each_free([&](size_t i, ColorGrid::Quad& quad) { quad = exposures[i]; });
     for (int pass = 0; pass < PASSES; ++pass)
     {
         pour(comparisons, params.photometricWeight, colors, system);
         if (system.solve(colors) == SolveStatus::NotPositiveDefinite)
             break;
-        for (size_t i = 0; i < count; ++i)
-            for (int cell = 0; !held[i] && cell < lattices[i].cellCount(); ++cell)
-                for (ChannelAffine& map : colors[i].quad(cell))
-                    map.gain = std::min(std::max(map.gain, 1 / MAX_GAIN), MAX_GAIN);
+        for_each_free([](size_t, ColorGrid::Quad& quad)
+        {
+            for (ChannelAffine& map : quad)
+                map.gain = plausibleGain(map.gain);
+        });
     }
     return colors;
 }

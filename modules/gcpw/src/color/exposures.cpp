@@ -1,7 +1,6 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "color/exposures.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace cv
@@ -15,7 +14,6 @@ namespace
 const double GAUGE = 1e-3;          ///< share of an overlap: chooses among exposures that fit equally well
 const double HOLD = 1e6;            ///< overlaps: as good as fixed
 const double NOISE_VARIANCE = 1e-4; ///< of an intensity: less contrast than this says nothing of gain
-const double MAX_GAIN = 3;          ///< between two photographs of one scene
 
 /// Normal equations of differences x_a - x_b = d between images; x is 0 where an image is held.
 class Differences
@@ -80,7 +78,7 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
         }
         const std::vector<double> logs = log_gains.solve();
         for (size_t i = 0; i < exposures.size(); ++i)
-            exposures[i][c].gain = std::min(std::max(std::exp(logs[i]), 1 / MAX_GAIN), MAX_GAIN);
+            exposures[i][c].gain = plausibleGain(std::exp(logs[i]));
         Differences biases(held);
         for (size_t k = 0; k < comparisons.size(); ++k)
         {

@@ -40,23 +40,23 @@ Mat filled(const Mat& covered_colors, const Mat& coverage)
 void extendOutside(Mat& image, const Mat& mask)
 {
     CV_Assert(mask.type() == CV_8UC1 && mask.size() == image.size());
-    const Mat inside = mask > 0;
-    const int count = countNonZero(inside);
+    const Mat outside = mask == 0;
+    const int count = countNonZero(outside);
     if (count == 0 || count == mask.size().area())
         return;
-    image.setTo(Scalar::all(0), inside == 0);
+    image.setTo(Scalar::all(0), outside);
     const Size coarse((image.cols + COARSE - 1) / COARSE, (image.rows + COARSE - 1) / COARSE);
     Mat wide;
     Mat covered_colors;
     image.convertTo(wide, CV_32F);
     resize(wide, covered_colors, coarse, 0, 0, INTER_AREA);
     Mat coverage;
-    inside.convertTo(wide, CV_32F, 1 / 255.0);
+    Mat(outside == 0).convertTo(wide, CV_32F, 1 / 255.0);
     resize(wide, coverage, coarse, 0, 0, INTER_AREA);
     Mat result;
     filled(covered_colors, coverage).convertTo(result, image.depth());
     resize(result, result, image.size(), 0, 0, INTER_LINEAR);
-    result.copyTo(image, inside == 0);
+    result.copyTo(image, outside);
 }
 
 } // namespace gcpw

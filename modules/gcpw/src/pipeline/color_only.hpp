@@ -13,8 +13,7 @@ namespace gcpw
 /** @brief The colours that fit best while the images stand still where they are: balancedColors().
 
 @param corners canvas position of each image  @param images CV_8UC3 or CV_8UC1  @param masks CV_8UC1, non-zero inside
-@return one meshRows x meshCols, CV_32FC(6) per image, as in Alignment::Image; the identity where nothing overlaps or the
-system has no answer */
+@return one meshRows x meshCols, CV_32FC(6) per image, as in Alignment::Image */
 std::vector<Mat> estimateColors(const std::vector<Point>& corners, const std::vector<Mat>& images,
                                 const std::vector<Mat>& masks, const Params& params);
 

@@ -51,6 +51,12 @@ std::vector<ColorGrid> colorsOf(const std::vector<ImageState>& states)
     return colors;
 }
 
+void setColors(const std::vector<ColorGrid>& colors, std::vector<ImageState>& states)
+{
+    for (size_t i = 0; i < states.size(); ++i)
+        states[i].color = colors[i];
+}
+
 } // namespace
 
 Optimizer::Optimizer(const Problem& problem, const Recipe& recipe, const Params& params)
@@ -228,8 +234,7 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
             std::vector<ColorGrid> colors = colorsOf(states);
             pour(terms, states);
             system_.solveColors(colors);
-            for (size_t i = 0; i < states.size(); ++i)
-                states[i].color = colors[i];
+            setColors(colors, states);
         }
         const LevelEnd end = run_one(params_.maxIterations);
         if (end != LevelEnd::Done)
@@ -245,11 +250,7 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
         for (size_t i = 0; i < states.size(); ++i)
             states[i].mesh = start[i].mesh;
     if (recipe_.colors && problem_.isChain() && params_.balanceWeight > 0)
-    {
-        const std::vector<ColorGrid> colors = balancedColors(terms.pixels(), states, params_);
-        for (size_t i = 0; i < states.size(); ++i)
-            states[i].color = colors[i];
-    }
+        setColors(balancedColors(terms.pixels(), states, params_), states);
     return OptimizeStatus::Done;
 }
 

@@ -1,10 +1,10 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include <opencv2/imgproc.hpp>
+#include "color/color_correction.hpp"
 #include "imaging/photograph.hpp"
 #include "imaging/score.hpp"
 #include "model/inverse_map.hpp"
 #include "opencv2/gcpw/pair.hpp"
-#include "color/color_correction.hpp"
 #include "pipeline/mesh_overlay.hpp"
 #include "pipeline/result.hpp"
 

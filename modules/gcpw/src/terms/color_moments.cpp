@@ -11,19 +11,29 @@ namespace gcpw
 namespace
 {
 
-const double TEXTURE_VARIANCE = 2.5e-4; ///< of Y (16 gray levels squared): below, correlation says nothing
-const double MIN_TRUST = 0.01;          ///< keeps a colour that nothing else informs
+const double MAX_GAIN = 3;
+const double MIN_TRUST = 0.01; ///< keeps a colour that nothing else informs
 
 } // namespace
+
+double plausibleGain(double gain)
+{
+    return std::min(std::max(gain, 1 / MAX_GAIN), MAX_GAIN);
+}
+
+double trustIn(double source_variance, double target_variance, double correlation)
+{
+    if (std::min(source_variance, target_variance) < TEXTURE_VARIANCE)
+        return 1;
+    const double positive = std::max(correlation, 0.0);
+    return std::max(positive * positive, MIN_TRUST);
+}
 
 double trustIn(const ColorMoments& moments)
 {
     const double source = moments.sourceVariance(0);
     const double target = moments.targetVariance(0);
-    if (std::min(source, target) < TEXTURE_VARIANCE)
-        return 1;
-    const double correlation = std::max(moments.covariance(0), 0.0) / std::sqrt(source * target);
-    return std::max(correlation * correlation, MIN_TRUST);
+    return trustIn(source, target, moments.covariance(0) / std::sqrt(source * target));
 }
 
 } // namespace gcpw

@@ -17,7 +17,6 @@ namespace
 const float INSIDE = 0.98F;            ///< least mask value of a source pixel that is sampled
 const int CONTRAST_WINDOW = 5;         ///< px, that of the scores
 const double TYPICAL_VARIANCE = 0.01;  ///< of Y at an edge: there w_q is about one, so lambda_1 keeps its meaning
-const double TEXTURE_VARIANCE = 2.5e-4; ///< of Y (16 gray levels squared): below, correlation says nothing
 const int MIN_WINDOW_SAMPLES = 6;      ///< in a quarter of a quad, to correlate
 
 /// 0.01 / (local variance of Y + floor^2) for every pixel of a level.
@@ -33,22 +32,6 @@ Mat importanceOf(const PyramidLevel& level, double floor)
     const Mat variance = max(squares - mean.mul(mean), 0.0);
     return TYPICAL_VARIANCE / (variance + floor * floor);
 }
-
-/// Running moments of two intensities.
-struct LumaMoments
-{
-    double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
-
-    void add(double p, double q)
-    {
-        n += 1;
-        a += p;
-        b += q;
-        aa += p * p;
-        bb += q * q;
-        ab += p * q;
-    }
-};
 
 } // namespace
 
@@ -263,14 +246,14 @@ std::vector<PhotometricTerm::QuadMiss> PhotometricTerm::correlate(const std::vec
     Target target(images[target_image_], target_shift_, false);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
-        LumaMoments quarters[4];
+        PairSums quarters[4];
         forEachInside(images, cell, target, [&](const Sample& sample, const PixelSample& pixel, const double*, double)
         {
             const bool right = sample.weight[1] + sample.weight[3] > 0.5F;
             const bool bottom = sample.weight[2] + sample.weight[3] > 0.5F;
             quarters[(right ? 1 : 0) + (bottom ? 2 : 0)].add(sample.value[0], pixel.value[0]);
         });
-        for (const LumaMoments& m : quarters)
+        for (const PairSums& m : quarters)
         {
             if (m.n < MIN_WINDOW_SAMPLES)
                 continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include "imaging/wide_vectors.hpp"
+#include "terms/color_moments.hpp"
 
 namespace cv
 {
@@ -14,9 +15,6 @@ namespace
 {
 
 const double MIN_VARIANCE = 1e-6; ///< of an intensity: below is rounding of 8-bit images
-const double TEXTURE_VARIANCE = 2.5e-4; ///< of Y (16 gray levels squared): below, correlation says nothing
-const double MIN_TRUST = 0.01;     ///< keeps a colour that nothing else informs
-const double MAX_GAIN = 3;        ///< between two photographs of one scene
 
 /// Folds sums over pairs of corners out into the upper triangle of an 8 x 8 block.
 void unfold(const double (&curvature)[10][3], double weight, QuadBlock& block)
@@ -143,17 +141,14 @@ double SampleSums::judgeColors(const ColorGrid::Quad& now, double weight, double
         if (!(like.variance > MIN_VARIANCE) || !(like.target_variance > MIN_VARIANCE))
             continue;
         const double unlike = std::max(1 - like.correlation * like.correlation, 0.0);
-        const double wanted = std::min(std::max(std::sqrt(like.target_variance / like.variance), 1 / MAX_GAIN), MAX_GAIN);
+        const double wanted = plausibleGain(std::sqrt(like.target_variance / like.variance));
         const double stiffness = weight * support * unlike * color_[c][2] * like.variance;
         block.color_color[c][0] += stiffness;
         block.color_gradient[c][0] += stiffness * (now[c].gain - wanted);
         block.energy += stiffness * (now[c].gain - wanted) * (now[c].gain - wanted);
     }
     const Likeness luma = likeness(0, now[0].gain);
-    if (luma.variance < TEXTURE_VARIANCE || luma.target_variance < TEXTURE_VARIANCE)
-        return 1; // a flat quad has no texture to compare, but its mean is worth as much as any
-    const double correlation = std::max(luma.correlation, 0.0);
-    const double trust = std::max(correlation * correlation, MIN_TRUST);
+    const double trust = trustIn(luma.variance, luma.target_variance, luma.correlation);
     for (auto& row : block.mesh_color)
         for (double& value : row)
             value *= trust;
