@@ -1,7 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
-#include <algorithm>
+#include <atomic>
 #include "stitch_scene.hpp"
 
 namespace opencv_test { namespace {
@@ -55,7 +55,8 @@ public:
                        UMatUsageFlags usage) const override
     {
         UMatData* made = Mat::getStdAllocator()->allocate(dims, sizes, type, data, step, flags, usage);
-        largest_ = std::max(largest_, made->size);
+        size_t known = largest_; // Mats are made in OpenCV's threads too
+        while (known < made->size && !largest_.compare_exchange_weak(known, made->size)) {}
         return made;
     }
     bool allocate(UMatData* data, AccessFlag flags, UMatUsageFlags usage) const override
@@ -65,7 +66,7 @@ public:
     void deallocate(UMatData* data) const override { Mat::getStdAllocator()->deallocate(data); }
 
 private:
-    mutable size_t largest_ = 0;
+    mutable std::atomic<size_t> largest_{0};
 };
 
 TEST(Gcpw_StitcherTrouble, cancelling_gives_the_plain_panorama)
