@@ -72,6 +72,41 @@ const Field& find(const std::string& name)
 
 } // namespace
 
+// The one place of the defaults; each is said again in words beside its member (test/defaults_are_as_documented.py).
+Params::Params()
+{
+    method = Method::GCPW;
+    meshCols = 32;
+    meshRows = 32;
+    workMegapix = 0.6;
+    referenceImage = -1;
+    canvasPeriod = 0;
+    photometricWeight = 100;
+    geometricWeight = 1;
+    similarityWeight = 0.2;
+    colorSmoothnessWeight = 100;
+    colorRestWeight = 1;
+    sampleStep = 2;
+    lineStep = 5;
+    pyramidLevels = 3;
+    maxIterations = 10;
+    stopMotion = 0.05;
+    stopGain = 0.002;
+    contrastFloor = 0.03;
+    robustScale = 2;
+    gainSupport = 3;
+    matchScale = 2;
+    anchorWeight = 1;
+    revertRatio = 1.05;
+    restWeight = 0.01;
+    exposureWeight = 8;
+    balanceWeight = 1.5;
+    minQuadArea = 0.1;
+    contrastThreshold = 0.005;
+    matchRatio = 0.85;
+    featureMegapix = 2;
+}
+
 Params Params::paper()
 {
     Params p;

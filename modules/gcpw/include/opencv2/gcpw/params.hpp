@@ -29,7 +29,8 @@ enum class Method
 Lengths are pixels of the working resolution (workMegapix), intensities lie in [0, 1]. */
 struct CV_EXPORTS_W_SIMPLE Params
 {
-    CV_WRAP Params() {} // NOLINT(modernize-use-equals-default): as OpenCV's binding generator reads it
+    /// The defaults. OpenCV's binding generator reads no initialiser of a member, so the constructor sets them all.
+    CV_WRAP Params();
 
     /// The constants of the paper and none of the additions: exactly its section 2.
     CV_WRAP static Params paper();
@@ -49,75 +50,77 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name What is estimated
     //! @{
-    CV_PROP_RW Method method = Method::GCPW;
-    CV_PROP_RW int meshCols = 32;         ///< quads across an image, 2..256
-    CV_PROP_RW int meshRows = 32;         ///< quads down an image, 2..256
-    CV_PROP_RW double workMegapix = 0.6;  ///< images are scaled down to this area for the estimation, > 0
-    CV_PROP_RW int referenceImage = -1;   ///< several images: the one that stays unwarped; -1 chooses the most central one, -2 lets all move
+    CV_PROP_RW Method method;      ///< default GCPW
+    CV_PROP_RW int meshCols;       ///< quads across an image, 2..256; default 32
+    CV_PROP_RW int meshRows;       ///< quads down an image, 2..256; default 32
+    CV_PROP_RW double workMegapix; ///< images are scaled down to this area for the estimation, > 0; default 0.6
+    CV_PROP_RW int referenceImage; ///< several images: stays unwarped; -1: the most central one, -2: none; default -1
     //! @}
 
     //! @name Canvas
     //! @{
-    CV_PROP_RW double canvasPeriod = 0; ///< px of the canvas as given after which x repeats (360-degree panoramas); 0: it does not
+    CV_PROP_RW double canvasPeriod; ///< px of the given canvas after which x repeats (360 degrees); 0: never; default 0
     //! @}
 
     //! @name Weights of the terms (eq. totalfunction)
     //! @{
-    CV_PROP_RW double photometricWeight = 100;     ///< lambda_1, >= 0
-    CV_PROP_RW double geometricWeight = 1;         ///< lambda_2, >= 0
-    CV_PROP_RW double similarityWeight = 0.2;      ///< lambda_3, > 0
-    CV_PROP_RW double colorSmoothnessWeight = 100; ///< lambda_4, > 0; 1 lets gains collapse in flat quads
-    CV_PROP_RW double colorRestWeight = 1;         ///< weight of E_r, > 0
+    CV_PROP_RW double photometricWeight;     ///< lambda_1, >= 0; default 100
+    CV_PROP_RW double geometricWeight;       ///< lambda_2, >= 0; default 1
+    CV_PROP_RW double similarityWeight;      ///< lambda_3, > 0; default 0.2
+    CV_PROP_RW double colorSmoothnessWeight; ///< lambda_4, > 0; 1 lets gains collapse in flat quads; default 100
+    CV_PROP_RW double colorRestWeight;       ///< weight of E_r, > 0; default 1
     //! @}
 
     //! @name Sampling
     //! @{
-    CV_PROP_RW int sampleStep = 2;    ///< px between photometric samples, on every pyramid level, 1..64
-    CV_PROP_RW double lineStep = 5;   ///< px between samples of a line, > 0
-    CV_PROP_RW int pyramidLevels = 3; ///< Gaussian pyramid levels, 1..8
+    CV_PROP_RW int sampleStep;    ///< px between photometric samples, on every pyramid level, 1..64; default 2
+    CV_PROP_RW double lineStep;   ///< px between samples of a line, > 0; default 5
+    CV_PROP_RW int pyramidLevels; ///< Gaussian pyramid levels, 1..8; default 3
     //! @}
 
     //! @name Iteration
     //! @{
-    CV_PROP_RW int maxIterations = 10;   ///< per pyramid level, 1..1000
-    CV_PROP_RW double stopMotion = 0.05; ///< a level ends when no vertex moves farther: px of the level, > 0
-    CV_PROP_RW double stopGain = 0.002;  ///< a level ends when a step lowers the energy by less than this share, >= 0
+    CV_PROP_RW int maxIterations; ///< per pyramid level, 1..1000; default 10
+    CV_PROP_RW double stopMotion; ///< a level ends when no vertex moves farther: px of the level, > 0; default 0.05
+    CV_PROP_RW double stopGain; ///< a level ends when a step lowers the energy by a smaller share, 0..1; default 0.002
     //! @}
 
     //! @name Additions to the paper
     //! @{
     /// Samples count by 0.01 / (local variance of Y + floor^2), so that faint texture is heard as well as strong edges;
-    /// the floor is the intensity of noise, 0..1. 0: all samples count alike.
-    CV_PROP_RW double contrastFloor = 0.03;
+    /// the floor is the intensity of noise, 0..1. 0: all samples count alike; default 0.03.
+    CV_PROP_RW double contrastFloor;
     /// Geman-McClure scale of a sample's residual on the finest level, in local standard deviations; doubled from level to
-    /// coarser level. 0: plain squares.
-    CV_PROP_RW double robustScale = 2;
-    /// How firmly the gain of a quad whose samples do not correlate is held at the ratio of its contrasts; 0: not at all.
-    CV_PROP_RW double gainSupport = 3;
-    /// Geman-McClure scale of point and line matches, px. 0: plain squares.
-    CV_PROP_RW double matchScale = 2;
-    /// Weight that holds a quad where the matches alone had put it, if pixels made it worse. 0: never.
-    CV_PROP_RW double anchorWeight = 1;
-    /// How much worse counts for that: ratio of mean squared decorrelation, >= 1.
-    CV_PROP_RW double revertRatio = 1.05;
+    /// coarser level. 0: plain squares; default 2.
+    CV_PROP_RW double robustScale;
+    /// How firmly the gain of a quad whose samples do not correlate is held at the ratio of its contrasts; 0: not at all;
+    /// default 3.
+    CV_PROP_RW double gainSupport;
+    /// Geman-McClure scale of point and line matches, px. 0: plain squares; default 2.
+    CV_PROP_RW double matchScale;
+    /// Weight that holds a quad where the matches alone had put it, if pixels made it worse. 0: never; default 1.
+    CV_PROP_RW double anchorWeight;
+    /// How much worse counts for that: ratio of mean squared decorrelation, >= 1; default 1.05.
+    CV_PROP_RW double revertRatio;
     /// Three images or more: how firmly every quad is held where the rough alignment has it, so that long chains of images
-    /// do not drift in scale and direction, >= 0.
-    CV_PROP_RW double restWeight = 0.01;
+    /// do not drift in scale and direction, >= 0; default 0.01.
+    CV_PROP_RW double restWeight;
     /// How firmly the colour of a quad with samples is held at the one gain and bias of its image that makes whole overlaps
-    /// agree, so that faint texture keeps its contrast and none drains away along a chain, >= 0.
-    CV_PROP_RW double exposureWeight = 8;
+    /// agree, so that faint texture keeps its contrast and none drains away along a chain, >= 0; default 8.
+    CV_PROP_RW double exposureWeight;
     /// The same, for each sample of a quad, for the colours that more than two images are shown with, and for GcpwCompensator
-    /// by itself: these are found once the meshes stand, from means and contrasts; 0 shows the alignment's colours, >= 0.
-    CV_PROP_RW double balanceWeight = 1.5;
-    /// Least area of a quad's corner as a share of its rough area, in (0, 0.9]; what keeps the mesh from folding.
-    CV_PROP_RW double minQuadArea = 0.1;
+    /// by itself: these are found once the meshes stand, from means and contrasts; 0 shows the alignment's colours, >= 0;
+    /// default 1.5.
+    CV_PROP_RW double balanceWeight;
+    /// Least area of a quad's corner as a share of its rough area, in (0, 0.9]; what keeps the mesh from folding; default 0.1.
+    CV_PROP_RW double minQuadArea;
     //! @}
 
     //! @name Matching
     //! @{
-    CV_PROP_RW double contrastThreshold = 0.005; ///< of SIFT; OpenCV's default is 0.04
-    CV_PROP_RW double matchRatio = 0.85;         ///< ratio test of the guided matching, (0, 1)
-    CV_PROP_RW double featureMegapix = 2;        ///< images are scaled down to this area for keypoints and lines, > 0
+    CV_PROP_RW double contrastThreshold; ///< of SIFT, which OpenCV itself has at 0.04; default 0.005
+    CV_PROP_RW double matchRatio;        ///< ratio test of the guided matching, (0, 1); default 0.85
+    CV_PROP_RW double featureMegapix; ///< images are scaled down to this area for keypoints and lines, > 0; default 2
     //! @}
 };
 
