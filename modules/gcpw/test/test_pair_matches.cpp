@@ -44,7 +44,7 @@ TEST(Gcpw_PairMatchesInput, geometry_of_photographs_over_the_working_resolution_
     ASSERT_GT(matches.source_points.size(), 20u);
     double sum = 0;
     for (size_t i = 0; i < matches.source_points.size(); ++i)
-        sum += norm(scene.canvasAt(matches.source_points[i]) - matches.target_points[i]);
+        sum += cv::norm(scene.canvasAt(matches.source_points[i]) - matches.target_points[i]);
     EXPECT_LT(sum / static_cast<double>(matches.source_points.size()), 1.0);
 }
 

@@ -21,6 +21,23 @@ hand. What is missing here does not compile; add it only with the meaning it has
 // The GoogleTest of ts cannot skip.
 #undef GTEST_SKIP
 
+// The GoogleTest of ts looks at the first argument in sizeof(), where no lambda may stand before C++20.
+namespace cvtest
+{
+
+template <size_t>
+struct ShimEqHelper : testing::internal::EqHelper
+{
+};
+char shimUnevaluated(...);
+
+} // namespace cvtest
+#define GCPW_SHIM_EQ(first) ::cvtest::ShimEqHelper<sizeof(::cvtest::shimUnevaluated(first))>::Compare
+#undef EXPECT_EQ
+#define EXPECT_EQ(first, second) EXPECT_PRED_FORMAT2(GCPW_SHIM_EQ(first), first, second)
+#undef ASSERT_EQ
+#define ASSERT_EQ(first, second) ASSERT_PRED_FORMAT2(GCPW_SHIM_EQ(first), first, second)
+
 // Like ts, asks that tests live in namespace opencv_test.
 #undef TEST
 #define TEST(suite, name)                                                                                              \
@@ -65,6 +82,23 @@ using namespace cvtest;
 using namespace cv;
 
 constexpr bool required_opencv_test_namespace = true;
+
+// As in ts, where cvtest has an own version of each: a test says whether it means cv::norm() or cvtest::norm().
+#define GCPW_SHIM_GUARD(name)                                                                                          \
+    class required_namespace_specificatin_here_for_symbol_##name                                                       \
+    {                                                                                                                  \
+    };                                                                                                                 \
+    using name = required_namespace_specificatin_here_for_symbol_##name;
+GCPW_SHIM_GUARD(norm)
+GCPW_SHIM_GUARD(add)
+GCPW_SHIM_GUARD(multiply)
+GCPW_SHIM_GUARD(divide)
+GCPW_SHIM_GUARD(transpose)
+GCPW_SHIM_GUARD(copyMakeBorder)
+GCPW_SHIM_GUARD(filter2D)
+GCPW_SHIM_GUARD(compare)
+GCPW_SHIM_GUARD(minMaxIdx)
+GCPW_SHIM_GUARD(threshold)
 
 } // namespace opencv_test
 
