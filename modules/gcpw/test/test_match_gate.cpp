@@ -100,6 +100,38 @@ TEST(Gcpw_MatchGate, without_matches_the_mesh_stays)
     EXPECT_LT(maxVertexDistance(gated.mesh, rough), 1e-6);
 }
 
+TEST(Gcpw_MatchGate, a_fit_without_a_solution_verifies_no_match)
+{
+    const Scene scene{SceneOptions()};
+    std::vector<PointMatch> matches = scene.pointMatches(50, 6);
+    MeshGrid rough(Lattice(SceneOptions().source_size, 16, 16));
+    rough.vertices()[40].x = std::numeric_limits<double>::quiet_NaN();
+    MeshGrid mesh(rough.lattice());
+    EXPECT_FALSE(gateMatches(matches, mesh, rough, MeshGrid(rough.lattice()), Point2d(), GateSchedule()));
+    EXPECT_TRUE(matches.empty());
+    EXPECT_EQ(maxVertexDistance(mesh, MeshGrid(rough.lattice())), 0) << "the mesh is as it was";
+}
+
+TEST(Gcpw_MatchGate, a_mesh_that_folds_is_not_handed_on)
+{
+    // Two columns of matches that change places: the mesh follows them only by folding between.
+    const MeshGrid rest(Lattice(Size(320, 240), 16, 12));
+    std::vector<PointMatch> matches;
+    for (int y = 5; y < 240; y += 5)
+        for (const double side : {-1.0, 1.0})
+        {
+            PointMatch match;
+            match.a = Point2d(160 + 12 * side, y);
+            match.b = Point2d(160 - 12 * side, y);
+            matches.push_back(match);
+        }
+    MeshGrid mesh = rest;
+    GateSchedule schedule;
+    schedule.similarity_weight = 1e-3;
+    ASSERT_TRUE(gateMatches(matches, mesh, rest, rest, Point2d(), schedule));
+    EXPECT_EQ(mesh.countFolds(), 0);
+}
+
 TEST(Gcpw_MatchGate, matches_that_are_not_numbers_are_dropped)
 {
     const Scene scene{SceneOptions()};

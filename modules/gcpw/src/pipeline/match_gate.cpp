@@ -11,6 +11,13 @@ namespace cv
 namespace gcpw
 {
 
+namespace
+{
+
+const double DAMPING = 1e-4; ///< weight of a vertex step, px^2: keeps vertices finite that neither match nor similarity holds
+
+} // namespace
+
 bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
                  Point2d shift_fixed, const GateSchedule& schedule)
 {
@@ -22,12 +29,16 @@ bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshG
     {
         const RobustLoss loss(std::max(scale, schedule.end_px));
         system.setZero();
-        system.addDamping(1e-4);
+        system.addDamping(DAMPING);
         points.linearize(mesh, fixed, loss, system);
         similarity.linearize(mesh, system);
         MeshStep step;
-        if (system.solve(step) == SolveStatus::NotPositiveDefinite)
+        // One image moves, so that nothing is iterated: what is not solved has no solution.
+        if (system.solve(step) != SolveStatus::Solved)
+        {
+            matches.clear();
             return false;
+        }
         mesh = moved(mesh, step[0], 1);
         if (scale <= schedule.end_px)
             break;

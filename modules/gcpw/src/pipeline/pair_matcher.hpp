@@ -25,8 +25,8 @@ struct Features
 @param work_size rest frame */
 Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const Params& params);
 
-/// The same where the keypoints are known; `image` is at the working resolution.
-Features knownFeatures(const Mat& image, const Keypoints& keypoints);
+/// The same where the keypoints are known; `image` and `mask` are at the working resolution.
+Features knownFeatures(const Mat& image, const Mat& mask, const Keypoints& keypoints);
 
 /** @brief All matches between a moving image and a fixed one, verified by a mesh.
 

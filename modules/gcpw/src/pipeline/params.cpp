@@ -55,6 +55,7 @@ const Field FIELDS[] = {
     {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
     {"contrastThreshold", nullptr, &Params::contrastThreshold, 0, 1, false},
     {"matchRatio", nullptr, &Params::matchRatio, 0, 1, false},
+    {"guidedMatching", &Params::guidedMatching, nullptr, 0, 1, true},
     {"featureMegapix", nullptr, &Params::featureMegapix, 0, 1000, false},
 };
 
@@ -86,6 +87,7 @@ Params Params::paper()
     p.anchorWeight = 0;
     p.exposureWeight = 0;
     p.balanceWeight = 0;
+    p.guidedMatching = 0;
     return p;
 }
 

@@ -116,7 +116,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @name Matching
     //! @{
     CV_PROP_RW double contrastThreshold = 0.005; ///< of SIFT; OpenCV's default is 0.04
-    CV_PROP_RW double matchRatio = 0.85;         ///< ratio test of the guided matching, (0, 1)
+    CV_PROP_RW double matchRatio = 0.85;         ///< ratio test of the matching around the rough alignment, (0, 1)
+    /// 1: match once more near where the first fitted mesh expects each keypoint; 0: once, as in the paper.
+    CV_PROP_RW int guidedMatching = 1;
     CV_PROP_RW double featureMegapix = 2;        ///< images are scaled down to this area for keypoints and lines, > 0
     //! @}
 };
