@@ -278,7 +278,7 @@ private:
         GateSchedule schedule;
         schedule.similarity_weight = params_.similarityWeight;
         MeshGrid fitted = a;
-        if (!gateMatches(matches.points, fitted, a, b, pair.shift_b, schedule))
+        if (gateMatches(matches.points, fitted, a, b, pair.shift_b, schedule) == GateStatus::Unsolved)
             CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the correspondences of images " << pair.a << " and " << pair.b
                                                                                         << "; they are left out");
         return matches;

@@ -18,8 +18,8 @@ const double DAMPING = 1e-4; ///< weight of a vertex step, px^2: keeps vertices 
 
 } // namespace
 
-bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
-                 Point2d shift_fixed, const GateSchedule& schedule)
+GateStatus gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
+                       Point2d shift_fixed, const GateSchedule& schedule)
 {
     const PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1, shift_fixed);
     const SimilarityTerm similarity(0, rough, schedule.similarity_weight);
@@ -37,7 +37,7 @@ bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshG
         if (system.solve(step) != SolveStatus::Solved)
         {
             matches.clear();
-            return false;
+            return GateStatus::Unsolved;
         }
         mesh = moved(mesh, step[0], 1);
         if (scale <= schedule.end_px)
@@ -49,8 +49,10 @@ bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshG
         if (distances[i] <= schedule.keep_px)
             kept.push_back(matches[i]);
     matches.swap(kept);
+    if (mesh.countFolds() > 0)
+        return GateStatus::Folded; // as a prediction it would send neighbours to places in the wrong order
     moving = mesh;
-    return true;
+    return GateStatus::Fitted;
 }
 
 } // namespace gcpw

@@ -20,17 +20,24 @@ struct GateSchedule
     double similarity_weight = 0.2;
 };
 
+enum class GateStatus
+{
+    Fitted,
+    Folded,  ///< the mesh that follows the matches folds
+    Unsolved ///< the fit has no solution
+};
+
 /** @brief Tells good point matches from wrong ones by what one mesh can follow.
 
 A mesh is fitted to all matches with a Geman-McClure loss whose scale falls as `schedule` says; matches that the final mesh does
 not follow are dropped.
-@param matches a: rest px of the moving image, b: rest px of the fixed one; filtered in place
-@param moving the mesh to start from; receives the fitted mesh, unless that folds: then it is `rough` again
+@param matches a: rest px of the moving image, b: rest px of the fixed one; filtered in place, and empty if Unsolved: then no
+match is verified
+@param moving the mesh to start from; receives the fitted mesh if Fitted, else it stays as it was
 @param rough whose quads keep their shape  @param fixed mesh of the fixed image
-@param shift_fixed canvas px by which it is seen beside its own place
-@return false if the fit has no solution: then no match is verified, `matches` is empty and `moving` as it was */
-[[nodiscard]] bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
-                 Point2d shift_fixed, const GateSchedule& schedule);
+@param shift_fixed canvas px by which it is seen beside its own place */
+[[nodiscard]] GateStatus gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough,
+                                     const MeshGrid& fixed, Point2d shift_fixed, const GateSchedule& schedule);
 
 } // namespace gcpw
 } // namespace cv

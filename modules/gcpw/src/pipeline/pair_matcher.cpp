@@ -69,20 +69,22 @@ MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, 
         std::vector<PointMatch> points = toPointMatches(
             a.keypoints, b.keypoints,
             matchNearby(a.keypoints, b.keypoints, expectation(fitted, fixed, shift_b), search_radius, params.matchRatio));
-        if (!gateMatches(points, fitted, rough, fixed, shift_b, schedule))
-            return false;
-        matches.points.swap(points);
-        return true;
+        const GateStatus status = gateMatches(points, fitted, rough, fixed, shift_b, schedule);
+        if (status != GateStatus::Unsolved)
+            matches.points.swap(points);
+        return status;
     };
-    if (!matchAround(SEARCH_SHARE * std::hypot(size.width, size.height)))
+    const GateStatus first = matchAround(SEARCH_SHARE * std::hypot(size.width, size.height));
+    if (first == GateStatus::Unsolved)
     {
         CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the matches of a pair; it is aligned without any");
         return matches;
     }
-    if (params.guidedMatching != 0)
+    // Around the rough mesh, which is what remains of a folded fit, the small radius would lose all parallax.
+    if (params.guidedMatching != 0 && first == GateStatus::Fitted)
     {
         schedule.start_px = REFINED_RADIUS;
-        if (!matchAround(REFINED_RADIUS))
+        if (matchAround(REFINED_RADIUS) == GateStatus::Unsolved)
             CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the guided matches of a pair; those found before are kept");
     }
     if (recipe.lines)
