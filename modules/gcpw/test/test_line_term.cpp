@@ -196,6 +196,53 @@ TEST(Gcpw_LineTerm, a_partner_without_length_gives_no_rows)
     EXPECT_TRUE(sink.empty());
 }
 
+TEST(Gcpw_LineTerm, a_partner_whose_ends_a_mesh_brings_together_gives_no_rows)
+{
+    TermState state = affineState();
+    for (Point2d& vertex : state.meshes[1].vertices())
+        vertex = Point2d(20, 20);
+    LineMatch match;
+    match.a = {Point2d(10, 10), Point2d(40, 10)};
+    match.b = {Point2d(20, 20), Point2d(60, 20)};
+    RecordingSink sink(state.lattices());
+    EXPECT_EQ(pourLines({match}, 1)(state, sink), 0);
+    EXPECT_TRUE(sink.empty());
+    EXPECT_EQ(LineTerm(0, 1, MOVING, PARTNER, {match}, STEP, 1).distances(state.meshes[0], state.meshes[1])[0],
+              std::numeric_limits<double>::infinity());
+}
+
+TEST(Gcpw_LineTerm, matches_that_are_not_finite_give_no_rows)
+{
+    const TermState state = affineState();
+    LineMatch good;
+    good.a = {Point2d(10, 10), Point2d(40, 10)};
+    good.b = {Point2d(20, 20), Point2d(60, 20)};
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300})
+    {
+        std::vector<LineMatch> matches(5, good);
+        matches[0].a.start.x = bad;
+        matches[1].a.end.y = bad;
+        matches[2].b.start.y = bad;
+        matches[3].b.end.x = bad;
+        matches[4].weight = bad < 1e308 ? -1 : bad;
+        RecordingSink sink(state.lattices());
+        EXPECT_EQ(pourLines(matches, 1)(state, sink), 0) << bad;
+        EXPECT_TRUE(sink.empty()) << bad;
+    }
+}
+
+TEST(Gcpw_LineTerm, a_tiny_step_does_not_flood_memory)
+{
+    const TermState state = affineState();
+    LineMatch match;
+    match.a = {Point2d(10, 10), Point2d(40, 10)};
+    match.b = {Point2d(20, 20), Point2d(60, 20)};
+    const LineTerm term(0, 1, MOVING, PARTNER, {match}, 1e-300, 1);
+    RecordingSink sink(state.lattices());
+    EXPECT_GT(term.linearize(state.meshes[0], state.meshes[1], RobustLoss(), sink), 0);
+    EXPECT_EQ(sink.rows.size(), 10001u);
+}
+
 TEST(Gcpw_LineTerm, samples_outside_the_moving_image_give_no_rows)
 {
     const TermState state = affineState();

@@ -14,7 +14,7 @@ struct Gated
     std::vector<PointMatch> before;
     std::vector<PointMatch> after;
     MeshGrid mesh;
-    bool fitted = false;
+    GateStatus status = GateStatus::Unsolved;
 };
 
 /// Gates matches of the default scene, from its rough homography.
@@ -27,7 +27,7 @@ Gated gate(const Scene& scene, std::vector<PointMatch> matches)
     Gated gated;
     gated.before = matches;
     gated.mesh = rough;
-    gated.fitted =
+    gated.status =
         gateMatches(matches, gated.mesh, rough, MeshGrid(Lattice(scene.target().size(), 16, 16)), Point2d(),
                     GateSchedule());
     gated.after = matches;
@@ -46,7 +46,7 @@ TEST(Gcpw_MatchGate, without_outliers_everything_is_kept)
 {
     const Scene scene{SceneOptions()};
     const Gated gated = gate(scene, scene.pointMatches(300, 1, 0.3));
-    ASSERT_TRUE(gated.fitted);
+    ASSERT_EQ(gated.status, GateStatus::Fitted);
     EXPECT_EQ(gated.after.size(), 300u);
 }
 
@@ -56,7 +56,7 @@ TEST(Gcpw_MatchGate, true_matches_are_kept_and_outliers_dropped)
     for (const double wrong_share : {0.1, 0.3, 0.5})
     {
         const Gated gated = gate(scene, scene.pointMatches(600, 2, 0.3, wrong_share));
-        ASSERT_TRUE(gated.fitted);
+        ASSERT_EQ(gated.status, GateStatus::Fitted);
         const int before = trueOnes(scene, gated.before);
         const int kept = trueOnes(scene, gated.after);
         EXPECT_NEAR(before, 600 * (1 - wrong_share), 40);
@@ -92,12 +92,44 @@ TEST(Gcpw_MatchGate, without_matches_the_mesh_stays)
 {
     const Scene scene{SceneOptions()};
     const Gated gated = gate(scene, {});
-    ASSERT_TRUE(gated.fitted);
+    ASSERT_EQ(gated.status, GateStatus::Fitted);
     EXPECT_TRUE(gated.after.empty());
     MeshGrid rough(gated.mesh.lattice());
     for (Point2d& vertex : rough.vertices())
         vertex = applyHomography(SceneOptions().rough, vertex);
     EXPECT_LT(maxVertexDistance(gated.mesh, rough), 1e-6);
+}
+
+TEST(Gcpw_MatchGate, a_fit_without_a_solution_verifies_no_match)
+{
+    const Scene scene{SceneOptions()};
+    std::vector<PointMatch> matches = scene.pointMatches(50, 6);
+    MeshGrid rough(Lattice(SceneOptions().source_size, 16, 16));
+    rough.vertices()[40].x = std::numeric_limits<double>::quiet_NaN();
+    MeshGrid mesh(rough.lattice());
+    EXPECT_EQ(gateMatches(matches, mesh, rough, MeshGrid(rough.lattice()), Point2d(), GateSchedule()), GateStatus::Unsolved);
+    EXPECT_TRUE(matches.empty());
+    EXPECT_EQ(maxVertexDistance(mesh, MeshGrid(rough.lattice())), 0) << "the mesh is as it was";
+}
+
+TEST(Gcpw_MatchGate, a_mesh_that_folds_is_not_handed_on)
+{
+    // Two columns of matches that change places: the mesh follows them only by folding between.
+    const MeshGrid rest(Lattice(Size(320, 240), 16, 12));
+    std::vector<PointMatch> matches;
+    for (int y = 5; y < 240; y += 5)
+        for (const double side : {-1.0, 1.0})
+        {
+            PointMatch match;
+            match.a = Point2d(160 + 12 * side, y);
+            match.b = Point2d(160 - 12 * side, y);
+            matches.push_back(match);
+        }
+    MeshGrid mesh = rest;
+    GateSchedule schedule;
+    schedule.similarity_weight = 1e-3;
+    EXPECT_EQ(gateMatches(matches, mesh, rest, rest, Point2d(), schedule), GateStatus::Folded);
+    EXPECT_EQ(maxVertexDistance(mesh, rest), 0);
 }
 
 TEST(Gcpw_MatchGate, matches_that_are_not_numbers_are_dropped)
@@ -106,7 +138,7 @@ TEST(Gcpw_MatchGate, matches_that_are_not_numbers_are_dropped)
     std::vector<PointMatch> matches = scene.pointMatches(50, 6);
     matches[7].b.x = std::numeric_limits<double>::quiet_NaN();
     const Gated gated = gate(scene, matches);
-    EXPECT_TRUE(gated.fitted);
+    EXPECT_EQ(gated.status, GateStatus::Fitted);
     EXPECT_EQ(gated.after.size(), 49u);
 }
 

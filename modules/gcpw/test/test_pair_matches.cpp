@@ -58,6 +58,73 @@ TEST(Gcpw_PairMatchesInput, a_failed_search_gives_no_alignment_and_its_message)
     EXPECT_EQ(alignment.report().message, matches.message);
 }
 
+TEST(Gcpw_PairMatchesInput, a_mirrored_partner_has_no_alignment_and_the_message_counts_none)
+{
+    const Scene scene(smallScene());
+    Mat mirrored;
+    flip(scene.source(), mirrored, 1);
+    const PairMatches matches = findPairMatches(scene.source(), mirrored);
+    EXPECT_EQ(matches.status, Status::NO_ALIGNMENT);
+    EXPECT_NE(matches.message.find("no alignment"), std::string::npos) << matches.message;
+}
+
+TEST(Gcpw_PairMatchesInput, lines_lie_inside_the_masks)
+{
+    const Scene scene(smallScene());
+    const auto masked = [](const Mat& image, Mat& mask)
+    {
+        mask.create(image.size(), CV_8UC1);
+        mask.setTo(0);
+        ellipse(mask, Point(image.cols / 2, image.rows / 2), Size(image.cols * 9 / 20, image.rows * 9 / 20), 0, 0, 360,
+                Scalar(255), FILLED);
+        Mat bgra;
+        cvtColor(image, bgra, COLOR_BGR2BGRA);
+        insertChannel(mask, bgra, 3);
+        return bgra;
+    };
+    Mat source_mask;
+    Mat target_mask;
+    const Mat source = masked(scene.source(), source_mask);
+    const Mat target = masked(scene.target(), target_mask);
+    const PairMatches matches = findPairMatches(source, target);
+    ASSERT_EQ(matches.status, Status::OK) << matches.message;
+    ASSERT_FALSE(matches.source_lines.empty());
+    const auto expectInside = [](const Vec4d& line, const Mat& mask)
+    {
+        for (int k = 0; k <= 20; ++k)
+        {
+            const Point p(cvRound(line[0] + k / 20.0 * (line[2] - line[0])), cvRound(line[1] + k / 20.0 * (line[3] - line[1])));
+            EXPECT_NE(mask.at<uchar>(p), 0) << line;
+        }
+    };
+    for (size_t i = 0; i < matches.source_lines.size(); ++i)
+    {
+        expectInside(matches.source_lines[i], source_mask);
+        expectInside(matches.target_lines[i], target_mask);
+    }
+}
+
+TEST(Gcpw_PairMatchesInput, opencvs_random_numbers_are_neither_read_nor_moved_on)
+{
+    const Scene scene(smallScene());
+    std::vector<PairMatches> found;
+    const uint64 before = theRNG().state;
+    for (const uint64 state : {uint64(1), uint64(0x123456789abcdef)})
+    {
+        theRNG().state = state;
+        found.push_back(findPairMatches(scene.source(), scene.target()));
+        EXPECT_EQ(theRNG().state, state);
+    }
+    theRNG().state = before;
+    ASSERT_EQ(found[0].status, Status::OK) << found[0].message;
+    EXPECT_EQ(cv::norm(found[0].target_from_source, found[1].target_from_source, NORM_INF), 0);
+    EXPECT_TRUE(found[0].source_points == found[1].source_points);
+    EXPECT_TRUE(found[0].target_points == found[1].target_points);
+    EXPECT_TRUE(found[0].source_lines == found[1].source_lines);
+    EXPECT_TRUE(found[0].target_lines == found[1].target_lines);
+    EXPECT_TRUE(found[0].line_weights == found[1].line_weights);
+}
+
 TEST(Gcpw_PairMatchesInput, a_cancelled_search_says_so)
 {
     const Scene scene(smallScene());

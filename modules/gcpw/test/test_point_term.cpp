@@ -146,6 +146,18 @@ TEST(Gcpw_PointTerm, a_point_outside_its_image_gives_no_rows)
     EXPECT_TRUE(sink.empty());
 }
 
+TEST(Gcpw_PointTerm, a_weight_that_is_none_gives_no_rows)
+{
+    const TermState state = bentState();
+    std::vector<PointMatch> matches = matchesOf(state, 3, 5, 10);
+    matches[0].weight = std::numeric_limits<double>::quiet_NaN();
+    matches[1].weight = std::numeric_limits<double>::infinity();
+    matches[2].weight = -1;
+    RecordingSink sink(state.lattices());
+    EXPECT_EQ(pourPoints(matches, 2)(state, sink), 0);
+    EXPECT_TRUE(sink.empty());
+}
+
 TEST(Gcpw_PointTerm, a_state_that_is_not_a_number_is_refused_by_the_solver)
 {
     TermState state = bentState();

@@ -78,7 +78,29 @@ TEST(Gcpw_RoughAlignment, a_mirrored_partner_is_no_alignment)
     makeKeypoints(100, 0, a, b);
     for (Point2d& p : b.points)
         p.x = 640 - p.x;
-    EXPECT_FALSE(alignRoughly(a, b, {}, {}, SIZE).found);
+    const RoughAlignment rough = alignRoughly(a, b, {}, {}, SIZE);
+    EXPECT_FALSE(rough.found);
+    EXPECT_EQ(rough.inliers, 0) << "none agrees with a plausible homography";
+}
+
+TEST(Gcpw_RoughAlignment, matches_on_one_line_are_no_alignment)
+{
+    for (const double noise_px : {0.0, 0.3})
+    {
+        Keypoints a;
+        Keypoints b;
+        makeKeypoints(100, 0, a, b);
+        RNG rng = seeded(4);
+        for (size_t i = 0; i < a.points.size(); ++i)
+        {
+            const double t = rng.uniform(0.0, 1.0);
+            a.points[i] = Point2d(20 + 600 * t, 100 + 250 * t);
+            b.points[i] = applyHomography(TRUTH, a.points[i]) + Point2d(rng.gaussian(noise_px), rng.gaussian(noise_px));
+        }
+        const RoughAlignment rough = alignRoughly(a, b, {}, {}, SIZE);
+        EXPECT_FALSE(rough.found) << noise_px << rough.b_from_a << distance(rough.b_from_a);
+        EXPECT_EQ(rough.inliers, 0) << noise_px;
+    }
 }
 
 TEST(Gcpw_RoughAlignment, lines_help_where_points_are_few_and_noisy)

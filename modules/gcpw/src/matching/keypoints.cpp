@@ -161,8 +161,8 @@ std::vector<KeypointMatch> matchEverywhere(const Keypoints& a, const Keypoints& 
     return result;
 }
 
-std::vector<KeypointMatch> matchNearby(const Keypoints& a, const Keypoints& b,
-                                       const std::function<Point2d(Point2d)>& b_from_a, double radius, double max_ratio)
+std::vector<KeypointMatch> matchNearby(const Keypoints& a, const Keypoints& b, const Prediction& b_from_a, double radius,
+                                       double max_ratio)
 {
     const Bins bins(b.points, std::max(radius / 2, 4.0));
     const int none = std::numeric_limits<int>::max();
@@ -173,9 +173,12 @@ std::vector<KeypointMatch> matchNearby(const Keypoints& a, const Keypoints& b,
         std::vector<std::pair<int, int>> candidates; // distance, keypoint
         for (int i = range.start; i < range.end; ++i)
         {
+            const auto expected = b_from_a(a.points[i]);
+            if (!expected)
+                continue;
             candidates.clear();
             const uchar* mine = a.descriptors.ptr<uchar>(i);
-            bins.visit(b_from_a(a.points[i]), radius, [&](int j)
+            bins.visit(*expected, radius, [&](int j)
             { candidates.emplace_back(squaredDistance(mine, b.descriptors.ptr<uchar>(j)), j); });
             if (candidates.empty())
                 continue;

@@ -2,10 +2,10 @@
 #ifndef OPENCV_GCPW_KEYPOINTS_HPP
 #define OPENCV_GCPW_KEYPOINTS_HPP
 
-#include <functional>
 #include <vector>
 #include <opencv2/core.hpp>
 #include "geometry/matches.hpp"
+#include "matching/prediction.hpp"
 
 namespace cv
 {
@@ -37,11 +37,9 @@ struct KeypointMatch
 std::vector<KeypointMatch> matchEverywhere(const Keypoints& a, const Keypoints& b, int strongest, double max_ratio);
 
 /** @brief Mutual nearest descriptors among those keypoints of b that lie near where a's keypoint is expected.
-@param b_from_a where a point of a is expected in b's rest pixels
 @param radius how far from there to look, px
 @param max_ratio of the best to the second best distance among the candidates that are not the same spot */
-std::vector<KeypointMatch> matchNearby(const Keypoints& a, const Keypoints& b,
-                                       const std::function<Point2d(Point2d)>& b_from_a, double radius,
+std::vector<KeypointMatch> matchNearby(const Keypoints& a, const Keypoints& b, const Prediction& b_from_a, double radius,
                                        double max_ratio);
 
 /// The matches as points.

@@ -43,7 +43,7 @@ RoughAlignment alignRoughly(const Keypoints& keypoints_a, const Keypoints& keypo
         from.push_back(match.a);
         to.push_back(match.b);
     }
-    // OpenCV seeds this RANSAC itself, always alike.
+    // OpenCV seeds this RANSAC itself, always alike: theRNG() is neither read nor moved on.
     const Mat found = findHomography(from, to, RANSAC, RANSAC_THRESHOLD, noArray(), 5000, 0.999);
     if (found.empty())
         return rough;
@@ -54,15 +54,21 @@ RoughAlignment alignRoughly(const Keypoints& keypoints_a, const Keypoints& keypo
         for (const PointMatch& match : matches)
             if (norm(applyHomography(h, match.a) - match.b) < RANSAC_THRESHOLD)
                 inliers.push_back(match);
-        rough.inliers = static_cast<int>(inliers.size());
-        if (rough.inliers < MIN_MATCHES || !isPlausible(h, size_a, MAX_ZOOM))
+        // Nothing agrees with a plausible homography if it mirrors, collapses or tears the image.
+        rough.inliers = isPlausible(h, size_a, MAX_ZOOM) ? static_cast<int>(inliers.size()) : 0;
+        if (rough.inliers < MIN_MATCHES)
             return rough;
         std::vector<LineMatch> lines = matchSegments(
             segments_a, segments_b, [&](Point2d p) { return applyHomography(h, p); }, SegmentTolerance());
         for (LineMatch& line : lines)
             line.weight *= LINE_WEIGHT;
         Matx33d refined;
-        if (!fitHomography(inliers, lines, refined) || !isPlausible(refined, size_a, MAX_ZOOM))
+        if (!fitHomography(inliers, lines, refined))
+        {
+            rough.inliers = 0; // matches on one line, say: they agree with many homographies, and RANSAC's is one of them
+            return rough;
+        }
+        if (!isPlausible(refined, size_a, MAX_ZOOM))
             break;
         h = refined;
     }

@@ -17,7 +17,7 @@ struct RoughAlignment
 {
     Matx33d b_from_a = Matx33d::eye();
     int tentative = 0; ///< keypoint matches tried
-    int inliers = 0;   ///< that agree with the homography
+    int inliers = 0;   ///< that agree with the homography; 0 if that is not plausible
     bool found = false;
 };
 

@@ -19,6 +19,8 @@ Point2d pixelToRest(double x, double y, Size2d to_rest)
     return {(x + 0.5) * to_rest.width - 0.5, (y + 0.5) * to_rest.height - 0.5};
 }
 
+const double SIDE = 3; ///< px: how far from a segment the pixels lie that tell its two sides apart
+
 /// Turns a segment so that the brighter side lies to the left of start -> end (image axes).
 void direct(Segment& segment, const Mat& gray)
 {
@@ -26,7 +28,7 @@ void direct(Segment& segment, const Mat& gray)
     const Point2d left(d.y, -d.x);
     double difference = 0;
     for (int k = 1; k < 8; ++k)
-        for (double offset = 1.5; offset <= 3; offset += 1.5)
+        for (const double offset : {SIDE / 2, SIDE})
         {
             const Point2d p = segment.at(k / 8.0);
             const auto read = [&](Point2d q)
@@ -41,6 +43,72 @@ void direct(Segment& segment, const Mat& gray)
         std::swap(segment.start, segment.end);
 }
 
+/// The pixels around which everything within SIDE is valid; beyond the image's border nothing is asked for.
+Mat withSides(const Mat& mask)
+{
+    if (mask.empty())
+        return mask;
+    const int size = 2 * cvCeil(SIDE) + 1;
+    Mat inner;
+    erode(mask, inner, getStructuringElement(MORPH_RECT, Size(size, size)), Point(-1, -1), 1, BORDER_CONSTANT,
+          Scalar::all(255));
+    return inner;
+}
+
+/// The longest part of a segment whose points, looked at every px, are all inside; of equals the first. Without length if
+/// there is none.
+template <typename Inside>
+Segment longestPart(const Segment& segment, Inside inside)
+{
+    const int steps = std::max(cvCeil(segment.length()), 1);
+    const auto at = [&](int k) { return segment.at(static_cast<double>(k) / steps); };
+    int first = 0;
+    int longest = 0;
+    int run = 0;
+    for (int k = 0; k <= steps; ++k)
+    {
+        run = inside(at(k)) ? run + 1 : 0;
+        if (run > longest)
+        {
+            longest = run;
+            first = k + 1 - run;
+        }
+    }
+    if (longest == steps + 1)
+        return segment;
+    return {at(first), at(first + std::max(longest - 1, 0))};
+}
+
+/// The part of a segment whose sides a mask shows.
+Segment clipped(const Segment& segment, const Mat& inner)
+{
+    return longestPart(segment, [&](Point2d p)
+    {
+        const int x = std::min(std::max(cvRound(p.x), 0), inner.cols - 1);
+        const int y = std::min(std::max(cvRound(p.y), 0), inner.rows - 1);
+        return inner.at<uchar>(y, x) != 0;
+    });
+}
+
+/// What image b shows of a segment of a.
+struct Shown
+{
+    Segment part;     ///< of the segment
+    Segment expected; ///< that part in b; without length where there is none
+};
+
+Shown shownBy(const Segment& segment, const Prediction& b_from_a, double least)
+{
+    const auto start = b_from_a(segment.start);
+    const auto end = b_from_a(segment.end);
+    if (start && end)
+        return {segment, {*start, *end}};
+    const Segment part = longestPart(segment, [&](Point2d p) { return b_from_a(p).has_value(); });
+    if (!(part.length() >= least))
+        return Shown();
+    return {part, {*b_from_a(part.start), *b_from_a(part.end)}};
+}
+
 struct Candidate
 {
     double distance;
@@ -51,18 +119,27 @@ struct Candidate
 
 } // namespace
 
-std::vector<Segment> detectSegments(const Mat& gray, Size2d to_rest, double min_length)
+std::vector<Segment> detectSegments(const Mat& gray, const Mat& mask, Size2d to_rest, double min_length)
 {
+    CV_DbgAssert(mask.empty() || (mask.type() == CV_8UC1 && mask.size() == gray.size()));
     const double to_pixels = 1 / std::max(to_rest.width, to_rest.height);
     const int shortest = std::max(cvRound(min_length * to_pixels), 5);
     const Ptr<ximgproc::FastLineDetector> detector = ximgproc::createFastLineDetector(shortest);
     std::vector<Vec4f> found;
     if (std::min(gray.cols, gray.rows) > 2 * shortest)
         detector->detect(gray, found);
+    const Mat inner = withSides(mask);
     std::vector<Segment> segments;
     for (const Vec4f& f : found)
     {
         Segment segment{Point2d(f[0], f[1]), Point2d(f[2], f[3])};
+        if (!inner.empty())
+        {
+            const double whole = segment.length();
+            segment = clipped(segment, inner);
+            if (segment.length() < whole && segment.length() < shortest)
+                continue;
+        }
         if (!(segment.length() > 1))
             continue;
         direct(segment, gray);
@@ -76,12 +153,15 @@ std::vector<Segment> detectSegments(const Mat& gray, Size2d to_rest, double min_
 }
 
 std::vector<LineMatch> matchSegments(const std::vector<Segment>& a, const std::vector<Segment>& b,
-                                     const std::function<Point2d(Point2d)>& b_from_a, const SegmentTolerance& tolerance)
+                                     const Prediction& b_from_a, const SegmentTolerance& tolerance)
 {
     std::vector<Candidate> candidates;
+    std::vector<Segment> parts;
     for (size_t i = 0; i < a.size(); ++i)
     {
-        const Segment expected{b_from_a(a[i].start), b_from_a(a[i].end)};
+        const Shown shown = shownBy(a[i], b_from_a, tolerance.crossing);
+        const Segment& expected = shown.expected;
+        parts.push_back(shown.part);
         const double expected_length = expected.length();
         if (!(expected_length > 1))
             continue;
@@ -125,7 +205,7 @@ std::vector<LineMatch> matchSegments(const std::vector<Segment>& a, const std::v
             continue;
         used_a[c.a] = used_b[c.b] = true;
         LineMatch match;
-        match.a = a[c.a];
+        match.a = parts[c.a];
         match.b = b[c.b];
         match.weight = c.shared;
         matches.push_back(match);

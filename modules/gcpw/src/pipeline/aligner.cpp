@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include "imaging/photograph.hpp"
 #include "model/inverse_map.hpp"
@@ -227,7 +228,7 @@ private:
                 return false;
             const Photograph& work = canvas.work[i];
             features[i] = i < static_cast<int>(keypoints.size()) && !keypoints[i].points.empty()
-                              ? knownFeatures(work.image, toWork(keypoints[i], work, canvas.frame()))
+                              ? knownFeatures(work.image, work.mask, toWork(keypoints[i], work, canvas.frame()))
                               : detectFeatures(work.image, work.mask, work.image.size(), params_);
         }
         report.timings_ms.features = millisecondsSince(tick);
@@ -277,7 +278,9 @@ private:
         GateSchedule schedule;
         schedule.similarity_weight = params_.similarityWeight;
         MeshGrid fitted = a;
-        gateMatches(matches.points, fitted, a, b, pair.shift_b, schedule);
+        if (gateMatches(matches.points, fitted, a, b, pair.shift_b, schedule) == GateStatus::Unsolved)
+            CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the correspondences of images " << pair.a << " and " << pair.b
+                                                                                        << "; they are left out");
         return matches;
     }
 

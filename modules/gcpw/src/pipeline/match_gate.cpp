@@ -11,8 +11,15 @@ namespace cv
 namespace gcpw
 {
 
-bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
-                 Point2d shift_fixed, const GateSchedule& schedule)
+namespace
+{
+
+const double DAMPING = 1e-4; ///< weight of a vertex step, px^2: keeps vertices finite that neither match nor similarity holds
+
+} // namespace
+
+GateStatus gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
+                       Point2d shift_fixed, const GateSchedule& schedule)
 {
     const PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1, shift_fixed);
     const SimilarityTerm similarity(0, rough, schedule.similarity_weight);
@@ -22,12 +29,16 @@ bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshG
     {
         const RobustLoss loss(std::max(scale, schedule.end_px));
         system.setZero();
-        system.addDamping(1e-4);
+        system.addDamping(DAMPING);
         points.linearize(mesh, fixed, loss, system);
         similarity.linearize(mesh, system);
         MeshStep step;
-        if (system.solve(step) == SolveStatus::NotPositiveDefinite)
-            return false;
+        // One image moves, so that nothing is iterated: what is not solved has no solution.
+        if (system.solve(step) != SolveStatus::Solved)
+        {
+            matches.clear();
+            return GateStatus::Unsolved;
+        }
         mesh = moved(mesh, step[0], 1);
         if (scale <= schedule.end_px)
             break;
@@ -38,8 +49,10 @@ bool gateMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshG
         if (distances[i] <= schedule.keep_px)
             kept.push_back(matches[i]);
     matches.swap(kept);
+    if (mesh.countFolds() > 0)
+        return GateStatus::Folded; // as a prediction it would send neighbours to places in the wrong order
     moving = mesh;
-    return true;
+    return GateStatus::Fitted;
 }
 
 } // namespace gcpw

@@ -2,6 +2,7 @@
 #include "pipeline/pair_matcher.hpp"
 
 #include <cmath>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include "pipeline/match_gate.hpp"
 
@@ -17,14 +18,14 @@ const double SEARCH_SHARE = 0.07;   ///< of the image diagonal: how far parallax
 const double REFINED_RADIUS = 10;   ///< px: how far from a fitted mesh a keypoint is looked for
 const double MIN_SEGMENT_LENGTH = 20; ///< px
 
-std::function<Point2d(Point2d)> expectation(const MeshGrid& moving, const MeshGrid& fixed, Point2d shift)
+Prediction expectation(const MeshGrid& moving, const MeshGrid& fixed, Point2d shift)
 {
-    return [&moving, &fixed, shift](Point2d p)
+    return [&moving, &fixed, shift](Point2d p) -> std::optional<Point2d>
     {
         int hint = -1;
         CellPoint point;
         if (!fixed.invert(moving.warp(p) - shift, hint, point))
-            return Point2d(-1e6, -1e6); // outside the fixed image: near no keypoint
+            return std::nullopt;
         return fixed.lattice().restPoint(point);
     };
 }
@@ -39,17 +40,17 @@ Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const
                          static_cast<double>(work_size.height) / gray.rows);
     Features features;
     features.keypoints = detectKeypoints(gray, mask, to_rest, params.contrastThreshold);
-    features.segments = detectSegments(gray, to_rest, MIN_SEGMENT_LENGTH);
+    features.segments = detectSegments(gray, mask, to_rest, MIN_SEGMENT_LENGTH);
     return features;
 }
 
-Features knownFeatures(const Mat& image, const Keypoints& keypoints)
+Features knownFeatures(const Mat& image, const Mat& mask, const Keypoints& keypoints)
 {
     Mat gray;
     cvtColor(image, gray, COLOR_BGR2GRAY);
     Features features;
     features.keypoints = keypoints;
-    features.segments = detectSegments(gray, Size2d(1, 1), MIN_SEGMENT_LENGTH);
+    features.segments = detectSegments(gray, mask, Size2d(1, 1), MIN_SEGMENT_LENGTH);
     return features;
 }
 
@@ -60,20 +61,32 @@ MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, 
     if (!recipe.points)
         return matches;
     const Size size = fixed.lattice().imageSize();
-    const double radius = SEARCH_SHARE * std::hypot(size.width, size.height);
     MeshGrid fitted = rough;
     GateSchedule schedule;
     schedule.similarity_weight = params.similarityWeight;
     const auto matchAround = [&](double search_radius)
     {
-        matches.points = toPointMatches(a.keypoints, b.keypoints,
-                                        matchNearby(a.keypoints, b.keypoints, expectation(fitted, fixed, shift_b), search_radius,
-                                                    params.matchRatio));
-        gateMatches(matches.points, fitted, rough, fixed, shift_b, schedule);
+        std::vector<PointMatch> points = toPointMatches(
+            a.keypoints, b.keypoints,
+            matchNearby(a.keypoints, b.keypoints, expectation(fitted, fixed, shift_b), search_radius, params.matchRatio));
+        const GateStatus status = gateMatches(points, fitted, rough, fixed, shift_b, schedule);
+        if (status != GateStatus::Unsolved)
+            matches.points.swap(points);
+        return status;
     };
-    matchAround(radius);
-    schedule.start_px = REFINED_RADIUS;
-    matchAround(REFINED_RADIUS);
+    const GateStatus first = matchAround(SEARCH_SHARE * std::hypot(size.width, size.height));
+    if (first == GateStatus::Unsolved)
+    {
+        CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the matches of a pair; it is aligned without any");
+        return matches;
+    }
+    // Around the rough mesh, which is what remains of a folded fit, the small radius would lose all parallax.
+    if (params.guidedMatching != 0 && first == GateStatus::Fitted)
+    {
+        schedule.start_px = REFINED_RADIUS;
+        if (matchAround(REFINED_RADIUS) == GateStatus::Unsolved)
+            CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the guided matches of a pair; those found before are kept");
+    }
     if (recipe.lines)
         matches.lines = matchSegments(a.segments, b.segments, expectation(fitted, fixed, shift_b), SegmentTolerance());
     return matches;

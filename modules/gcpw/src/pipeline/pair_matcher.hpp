@@ -25,13 +25,14 @@ struct Features
 @param work_size rest frame */
 Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const Params& params);
 
-/// The same where the keypoints are known; `image` is at the working resolution.
-Features knownFeatures(const Mat& image, const Keypoints& keypoints);
+/// The same where the keypoints are known; `image` and `mask` are at the working resolution.
+Features knownFeatures(const Mat& image, const Mat& mask, const Keypoints& keypoints);
 
 /** @brief All matches between a moving image and a fixed one, verified by a mesh.
 
 Keypoints are matched near where the rough mesh expects them and gated by a robust mesh fit, then matched once more near
-where that mesh expects them. Line segments are paired and verified by the points' mesh.
+where that mesh expects them (Params::guidedMatching; not if it folds). Line segments are paired and verified by the points'
+mesh, or by the rough one where that folds. There are no matches if no mesh fits them.
 @param rough rough mesh of a  @param fixed rough mesh of b  @param shift_b see ProblemPair */
 MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed, Point2d shift_b,
                    const Params& params, const Recipe& recipe);

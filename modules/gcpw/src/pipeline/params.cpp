@@ -55,6 +55,7 @@ const Field FIELDS[] = {
     {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
     {"contrastThreshold", nullptr, &Params::contrastThreshold, 0, 1, false},
     {"matchRatio", nullptr, &Params::matchRatio, 0, 1, false},
+    {"guidedMatching", &Params::guidedMatching, nullptr, 0, 1, true},
     {"featureMegapix", nullptr, &Params::featureMegapix, 0, 1000, false},
 };
 
@@ -104,6 +105,7 @@ Params::Params()
     minQuadArea = 0.1;
     contrastThreshold = 0.005;
     matchRatio = 0.85;
+    guidedMatching = 1;
     featureMegapix = 2;
 }
 
@@ -121,6 +123,7 @@ Params Params::paper()
     p.anchorWeight = 0;
     p.exposureWeight = 0;
     p.balanceWeight = 0;
+    p.guidedMatching = 0;
     return p;
 }
 

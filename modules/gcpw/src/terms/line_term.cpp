@@ -10,6 +10,27 @@ namespace cv
 namespace gcpw
 {
 
+namespace
+{
+
+const double MAX_SAMPLES = 10000; ///< of a segment: no image that fits into memory has longer lines at the default step
+const double FARTHEST = 1e8;      ///< px: a cell's index would overflow for points beyond
+
+/// Also false for what is not a number.
+bool isPlace(Point2d p)
+{
+    return std::abs(p.x) < FARTHEST && std::abs(p.y) < FARTHEST;
+}
+
+/// Whether a match says anything: without a direction there is no line.
+bool isUsable(const LineMatch& match)
+{
+    const bool places = isPlace(match.a.start) && isPlace(match.a.end) && isPlace(match.b.start) && isPlace(match.b.end);
+    return places && match.b.length() > 0 && match.weight >= 0 && std::isfinite(match.weight);
+}
+
+} // namespace
+
 LineTerm::LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
                    const std::vector<LineMatch>& matches, double step_px, double weight, Point2d shift_b)
     : image_a_(image_a), image_b_(image_b), shift_b_(shift_b)
@@ -18,12 +39,16 @@ LineTerm::LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lat
     for (const LineMatch& match : matches)
     {
         Partner partner;
-        const int count = std::max(static_cast<int>(match.a.length() / step_px), 1);
-        // Without a direction there is no line, and beyond its image a mesh knows nothing.
-        for (int k = 0; match.b.length() > 0 && k <= count; ++k)
+        if (!isUsable(match))
+        {
+            partners_.push_back(partner); // keeps its place in the order, without samples
+            continue;
+        }
+        const int count = static_cast<int>(std::min(std::max(match.a.length() / step_px, 1.0), MAX_SAMPLES));
+        for (int k = 0; k <= count; ++k)
         {
             const Point2d sample = match.a.at(static_cast<double>(k) / count);
-            if (lattice_a.contains(sample))
+            if (lattice_a.contains(sample)) // beyond its image a mesh knows nothing
                 partner.samples.push_back(lattice_a.locate(sample));
         }
         partner.rest_b = match.b;
@@ -47,8 +72,10 @@ double LineTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLos
         if (partner.samples.empty())
             continue;
         const Segment now = partnerNow(partner, b);
-        const Line line = now.line();
         const double squared_length = now.direction().dot(now.direction());
+        if (squared_length == 0) // what is not a number goes on, for the solver to refuse
+            continue;
+        const Line line = now.line();
         for (const CellPoint& sample : partner.samples)
         {
             const Point2d canvas = a.warp(sample);
@@ -56,7 +83,7 @@ double LineTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLos
             energy += partner.weight * loss.value(r * r);
             // The point of b beside the sample, kept on the segment: beyond its ends b is not known.
             const double t = (canvas - now.start).dot(now.direction()) / squared_length;
-            const CellPoint foot = b.lattice().locate(partner.rest_b.at(std::min(std::max(t, 0.0), 1.0)));
+            const CellPoint foot = b.lattice().locate(partner.rest_b.at(t > 0 ? std::min(t, 1.0) : 0.0));
             QuadRow row_a{};
             QuadRow row_b{};
             for (int k = 0; k < 4; ++k)
@@ -83,7 +110,13 @@ std::vector<double> LineTerm::distances(const MeshGrid& a, const MeshGrid& b) co
             result.push_back(std::numeric_limits<double>::infinity());
             continue;
         }
-        const Line line = partnerNow(partner, b).line();
+        const Segment now = partnerNow(partner, b);
+        if (now.direction().dot(now.direction()) == 0)
+        {
+            result.push_back(std::numeric_limits<double>::infinity());
+            continue;
+        }
+        const Line line = now.line();
         double sum = 0;
         for (const CellPoint& sample : partner.samples)
             sum += line.distance(a.warp(sample)) * line.distance(a.warp(sample));

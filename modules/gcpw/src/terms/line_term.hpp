@@ -18,7 +18,7 @@ namespace gcpw
     E_l = weight * sum_m w_m sum_k rho( (n_m . W_a(s_mk) + c_m)^2 )
 
 s_mk are points every `step` px along segment m of image a; n_m . x + c_m = 0 is the line through the warped ends of its
-partner in image b. With b held the line stands still and the term is linear; else the line is taken as it lies now and
+partner in image b, which gives no rows while both ends are one point. With b held the line stands still and the term is linear; else the line is taken as it lies now and
 moves with the point of b next to the sample. Residuals: 1 per sample, canvas px. */
 class LineTerm
 {
@@ -30,7 +30,8 @@ public:
     /// Returns the robust energy.
     double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const;
 
-    /// Root mean square distance of every match at present, canvas px, in the order given; infinite without samples.
+    /// Root mean square distance of every match at present, canvas px, in the order given; infinite without samples and where
+    /// the partner has no line.
     std::vector<double> distances(const MeshGrid& a, const MeshGrid& b) const;
 
 private:
@@ -40,7 +41,7 @@ private:
         Segment rest_b;
         CellPoint start_b;
         CellPoint end_b;
-        double weight;
+        double weight = 0;
     };
     Segment partnerNow(const Partner& partner, const MeshGrid& b) const;
 

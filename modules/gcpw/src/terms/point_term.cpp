@@ -1,6 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "terms/point_term.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace cv
@@ -16,7 +17,9 @@ PointTerm::PointTerm(int image_a, int image_b, const Lattice& lattice_a, const L
     for (const PointMatch& match : matches)
     {
         // A mesh knows nothing beyond its image: such a match keeps its place in the order, with no cell.
-        const bool inside = lattice_a.contains(match.a) && lattice_b.contains(match.b);
+        // So does one whose weight is no weight.
+        const bool inside = lattice_a.contains(match.a) && lattice_b.contains(match.b) && match.weight >= 0 &&
+                            std::isfinite(match.weight);
         pairs_.push_back({inside ? lattice_a.locate(match.a) : CellPoint(), inside ? lattice_b.locate(match.b) : CellPoint(),
                           weight * match.weight});
     }

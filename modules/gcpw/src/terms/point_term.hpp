@@ -29,7 +29,8 @@ public:
     /// Returns the robust energy.
     double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, ResidualSink& sink) const;
 
-    /// Distance of every match at present, canvas px, in the order given; infinite for one outside its image.
+    /// Distance of every match at present, canvas px, in the order given; infinite for one outside its image or
+    /// without a finite weight of 0 or more.
     std::vector<double> distances(const MeshGrid& a, const MeshGrid& b) const;
 
 private:

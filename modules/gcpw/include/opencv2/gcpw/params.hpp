@@ -119,7 +119,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @name Matching
     //! @{
     CV_PROP_RW double contrastThreshold; ///< of SIFT, which OpenCV itself has at 0.04; default 0.005
-    CV_PROP_RW double matchRatio;        ///< ratio test of the guided matching, (0, 1); default 0.85
+    CV_PROP_RW double matchRatio;        ///< ratio test of the matching around the rough alignment, (0, 1); default 0.85
+    /// 1: match once more near where the first fitted mesh expects each keypoint; 0: once, as in the paper; default 1.
+    CV_PROP_RW int guidedMatching;
     CV_PROP_RW double featureMegapix; ///< images are scaled down to this area for keypoints and lines, > 0; default 2
     //! @}
 };
