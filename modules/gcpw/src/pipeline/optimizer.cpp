@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <opencv2/core/utility.hpp>
 #include "color/color_balance.hpp"
+#include "pipeline/better_start.hpp"
 #include "pipeline/region_guard.hpp"
 #include "terms/color_smoothness_term.hpp"
 
@@ -23,7 +24,7 @@ const double FIRST_MATCH_SCALE = 32; ///< px: wide enough to follow strong paral
 const double MATCH_NARROWING = 0.5;  ///< of the matches' scale from step to step
 const int MATCH_ITERATIONS = 3;      ///< at the final scale, where pixels are to follow
 const int ANCHORED_ITERATIONS = 5;   ///< the anchors lead, the rest is in place already
-const double STRICTLY_BETTER = 1.02; ///< the start is kept only if the result correlates this much worse
+const int COLOR_PASSES = 3;          ///< of colours for meshes at rest: residuals are weighted anew by what they then are
 
 std::vector<Lattice> latticesOf(const Problem& problem)
 {
@@ -228,14 +229,7 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
     for (size_t level = levels; level-- > 0;)
     {
         terms.enterLevel(static_cast<int>(level));
-        if (recipe_.colors)
-        {
-            color_rest_.pull(compareColors(terms.pixels(), states), system_.colors());
-            std::vector<ColorGrid> colors = colorsOf(states);
-            pour(terms, states);
-            system_.solveColors(colors);
-            setColors(colors, states);
-        }
+        initColors(terms, states);
         const LevelEnd end = run_one(params_.maxIterations);
         if (end != LevelEnd::Done)
             return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::PixelsSingular;
@@ -246,12 +240,43 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
         if (end != LevelEnd::Done)
             return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::PixelsSingular;
     }
-    if (params_.anchorWeight > 0 && overallMiss(terms.pixels(), states) > STRICTLY_BETTER * overallMiss(terms.pixels(), start))
-        for (size_t i = 0; i < states.size(); ++i)
-            states[i].mesh = start[i].mesh;
-    if (recipe_.colors && problem_.isChain() && params_.balanceWeight > 0)
-        setColors(balancedColors(terms.pixels(), states, params_), states);
     return OptimizeStatus::Done;
+}
+
+void Optimizer::initColors(LevelTerms& terms, std::vector<ImageState>& states)
+{
+    if (!recipe_.colors)
+        return;
+    color_rest_.pull(compareColors(terms.pixels(), states), system_.colors());
+    std::vector<ColorGrid> colors = colorsOf(states);
+    pour(terms, states);
+    system_.solveColors(colors);
+    setColors(colors, states);
+}
+
+OptimizeStatus Optimizer::refine(LevelTerms& terms, std::vector<ImageState>& states, std::vector<LevelReport>& report)
+{
+    const std::vector<ImageState> rough = states;
+    std::vector<ImageState> matched = states;
+    LevelReport match_report;
+    const LevelEnd end = fitMatches(terms, matched, match_report);
+    if (end != LevelEnd::Done)
+        return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::MatchesSingular;
+    report.push_back(match_report);
+    states = matched;
+    OptimizeStatus status = recipe_.pixels ? runPyramid(terms, states, report) : OptimizeStatus::Done;
+    if (status == OptimizeStatus::Cancelled)
+        return status;
+    const Candidate best = bestCandidate(problem_, states, matched, rough);
+    if (best == Candidate::END)
+        return status;
+    // The colours went with the meshes that are given up.
+    states = best == Candidate::MATCHES ? matched : rough;
+    if (recipe_.pixels)
+        terms.enterLevel(0);
+    for (int pass = 0; pass < COLOR_PASSES; ++pass)
+        initColors(terms, states);
+    return best == Candidate::MATCHES ? OptimizeStatus::MatchesKept : OptimizeStatus::RoughKept;
 }
 
 OptimizeStatus Optimizer::run(std::vector<ImageState>& states, std::vector<LevelReport>& report,
@@ -264,14 +289,11 @@ OptimizeStatus Optimizer::run(std::vector<ImageState>& states, std::vector<Level
     if (!recipe_.points || problem_.pairs.empty())
         return OptimizeStatus::Done;
     LevelTerms terms(problem_, recipe_, params_);
-    std::vector<ImageState> fitted = states;
-    LevelReport match_report;
-    const LevelEnd end = fitMatches(terms, fitted, match_report);
-    if (end != LevelEnd::Done)
-        return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::MatchesSingular;
-    report.push_back(match_report);
-    states.swap(fitted);
-    return recipe_.pixels ? runPyramid(terms, states, report) : OptimizeStatus::Done;
+    const OptimizeStatus status = refine(terms, states, report);
+    const bool shown = status != OptimizeStatus::Cancelled && status != OptimizeStatus::MatchesSingular;
+    if (shown && recipe_.colors && problem_.isChain() && params_.balanceWeight > 0)
+        setColors(balancedColors(terms.pixels(), states, params_), states);
+    return status;
 }
 
 } // namespace gcpw

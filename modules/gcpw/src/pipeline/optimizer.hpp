@@ -24,6 +24,8 @@ enum class OptimizeStatus
     Done,
     MatchesSingular, ///< the matches leave the meshes free: nothing was changed
     PixelsSingular,  ///< a level with pixels had no answer: the last good state is kept
+    MatchesKept,     ///< pixels made it worse: the meshes of the matches alone are kept
+    RoughKept,       ///< no better than the start, whose meshes are kept
     Cancelled        ///< the last good state is kept
 };
 
@@ -32,7 +34,8 @@ enum class OptimizeStatus
 1. Matches alone, their loss narrowing from wide to strict: methods without pixels end here.
 2. The pyramid, coarse to fine: colours first (eq. initialfunction), then Gauss-Newton steps on meshes and colours.
 3. Regions that the pixels made worse than the matches had them are anchored there, and the finest level runs again.
-4. Of more than two images: colours that are fit to be seen (balancedColors()).
+4. What correlates no better than the matches' meshes or the start gives way to them (bestCandidate()), with colours of its own.
+5. Of more than two images: colours that are fit to be seen (balancedColors()).
 
 No step folds a quad, and no accepted step raises the energy. */
 class Optimizer
@@ -53,10 +56,12 @@ private:
     };
 
     LevelEnd fitMatches(LevelTerms& terms, std::vector<ImageState>& states, LevelReport& report);
+    OptimizeStatus refine(LevelTerms& terms, std::vector<ImageState>& states, std::vector<LevelReport>& report);
     OptimizeStatus runPyramid(LevelTerms& terms, std::vector<ImageState>& states, std::vector<LevelReport>& report);
     LevelEnd runLevel(LevelTerms& terms, std::vector<ImageState>& states, int max_iterations, LevelReport& report);
     bool anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states, const std::vector<ImageState>& start) const;
 
+    void initColors(LevelTerms& terms, std::vector<ImageState>& states);
     TermEnergies pour(LevelTerms& terms, const std::vector<ImageState>& states);
     SolveStatus safeStep(const std::vector<ImageState>& states, MeshStep& step);
     double similarityEnergy(const std::vector<ImageState>& states) const;

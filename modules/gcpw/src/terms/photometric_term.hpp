@@ -6,21 +6,14 @@
 #include "energy/residual_sink.hpp"
 #include "energy/robust_loss.hpp"
 #include "imaging/sampler.hpp"
-#include "model/color_grid.hpp"
-#include "model/mesh_grid.hpp"
+#include "model/image_state.hpp"
 #include "terms/color_moments.hpp"
+#include "terms/target_lookup.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
-
-/// Where an image lies at the moment: its mesh and its colour.
-struct ImageState
-{
-    MeshGrid mesh;
-    ColorGrid color;
-};
 
 /** @brief Makes a sample of the source image look like the target at its warped position (eq. photoerror2, phototerm).
 
@@ -91,11 +84,10 @@ private:
         float value[3];   ///< Y, Cr, Cb
         float importance; ///< w_q
     };
-    class Target;
 
     /// Calls visit(sample, pixel, residual[3], squared residual times w_q) for the samples of a quad that are inside.
     template <typename Visit>
-    void forEachInside(const std::vector<ImageState>& images, int cell, Target& target, Visit visit) const;
+    void forEachInside(const std::vector<ImageState>& images, int cell, TargetLookup& target, Visit visit) const;
 
     int source_image_ = -1;
     int target_image_ = -1;

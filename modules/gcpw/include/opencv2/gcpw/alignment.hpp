@@ -23,7 +23,7 @@ typedef std::function<bool(const std::string& stage, double fraction)> Progress;
 enum class Status
 {
     OK = 0,          //!< refined as asked
-    ROUGH = 1,       //!< the refinement had no answer; the rough alignment is returned (see Report::message)
+    ROUGH = 1,       //!< the refinement had no answer or none that is better; the rough alignment is returned (see Report::message)
     NO_ALIGNMENT = 2, //!< not even a rough alignment was found
     CANCELLED = 3    //!< the progress callback said stop; the rough alignment is returned
 };
@@ -65,8 +65,8 @@ struct CV_EXPORTS PairReport
     int b = 1;
     int points = 0; //!< point matches used
     int lines = 0;  //!< line matches used
-    /// 100 * RMS of 1 - correlation over quarters of quads with texture, at the working resolution: a quick relative of
-    /// Score::zncc that needs no rendering. Of the rough alignment; 0 where the overlap has no texture.
+    /// 100 * RMS of 1 - zero-mean NCC over windows of 5 x 5 working pixels with texture in both images: Score::zncc without
+    /// rendering, over the rows of a large image that suffice. Of the rough alignment; NaN where nothing could be compared.
     double miss_before = 0;
     double miss_after = 0; //!< the same of the result
 };
@@ -84,7 +84,7 @@ struct CV_EXPORTS Timings
 struct CV_EXPORTS Report
 {
     Status status = Status::OK;
-    std::string message; //!< empty, or why the status is not OK
+    std::string message; //!< why the status is not OK, or what is missing although it is; else empty
     std::vector<LevelReport> levels; //!< coarse to fine
     std::vector<PairReport> pairs;
     int folds = 0;                  //!< folded or flipped quads of all meshes; 0 by construction
