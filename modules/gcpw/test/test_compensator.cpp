@@ -116,6 +116,159 @@ TEST(Gcpw_Compensator, a_rig_keeps_its_colours_whatever_is_fed)
     EXPECT_EQ(cv::norm(gains[1], rig.alignment.image(1).color, NORM_INF), 0);
 }
 
+TEST(Gcpw_Compensator, colours_do_not_depend_on_which_warper_was_made_last)
+{
+    const Ptr<WarperCreator> base = makePtr<cv::SphericalWarper>();
+    const double turn = cvRound(CV_PI * RIG_FOCAL) / RIG_FOCAL;
+    for (const bool straddles : {false, true})
+    {
+        const double yaw = straddles ? turn : 0.3;
+        const gcpw::Rig rig = bentRig(base, {cameraAt(yaw - 0.6), cameraAt(yaw)}, 6, {0, straddles ? turn : 0});
+        const auto corrected = [&](double picture_zoom, const std::vector<double>& zooms)
+        {
+            const gcpw::GcpwWarper creator(base, rig);
+            const Ptr<gcpw::GcpwCompensator> compensator = creator.compensator();
+            const Ptr<cv::detail::RotationWarper> warper =
+                gcpw::GcpwWarper(base, rig).create(static_cast<float>(rig.scale * picture_zoom));
+            const Size size(cvRound(RIG_IMAGE.width * picture_zoom), cvRound(RIG_IMAGE.height * picture_zoom));
+            Mat picture;
+            const Point corner = warper->warp(Mat(size, CV_8UC3, Scalar(90, 120, 150)), intrinsics(rig.cameras[1], picture_zoom),
+                                              rig.cameras[1].R, INTER_LINEAR, BORDER_REFLECT, picture);
+            for (const double zoom : zooms)
+                creator.create(static_cast<float>(rig.scale * zoom));
+            compensator->apply(1, corner, picture, noArray());
+            return picture;
+        };
+        for (const double zoom : {0.4, 1.0, 1.7})
+        {
+            const Mat expected = corrected(zoom, {zoom});
+            EXPECT_GT(cv::norm(expected, Mat(expected.size(), CV_8UC3, Scalar(90, 120, 150)), NORM_INF), 10);
+            EXPECT_EQ(cv::norm(expected, corrected(zoom, {0.4, 1.0, 1.7}), NORM_INF), 0) << zoom << straddles;
+            EXPECT_EQ(cv::norm(expected, corrected(zoom, {1.7, 1.0, 0.4}), NORM_INF), 0) << zoom << straddles;
+            // Before any warper, and after others, the place tells the scale as well as it can.
+            EXPECT_LE(cv::norm(expected, corrected(zoom, {}), NORM_INF), 4) << zoom << straddles;
+            EXPECT_LE(cv::norm(expected, corrected(zoom, {0.1}), NORM_INF), 4) << zoom << straddles;
+        }
+    }
+}
+
+TEST(Gcpw_Compensator, a_part_of_a_picture_has_the_colours_of_the_whole)
+{
+    const Ptr<WarperCreator> base = makePtr<cv::SphericalWarper>();
+    const gcpw::Rig rig = bentRig(base, {cameraAt(-0.3), cameraAt(0.3)}, 6);
+    const gcpw::GcpwWarper creator(base, rig);
+    const Ptr<gcpw::GcpwCompensator> compensator = creator.compensator();
+    const Ptr<cv::detail::RotationWarper> warper = creator.create(rig.scale);
+    creator.create(rig.scale * 0.4F);
+    Mat picture;
+    const Point corner = warper->warp(Mat(RIG_IMAGE, CV_8UC3, Scalar(90, 120, 150)), intrinsics(rig.cameras[1]), rig.cameras[1].R,
+                                      INTER_LINEAR, BORDER_REFLECT, picture);
+    const Rect part(160, 80, 120, 96); // whole steps of the colour map
+    Mat piece = picture(part).clone();
+    compensator->apply(1, corner, picture, noArray());
+    compensator->apply(1, corner + part.tl(), piece, noArray());
+    EXPECT_LE(cv::norm(picture(part), piece, NORM_INF), 1);
+}
+
+TEST(Gcpw_Compensator, a_rigs_colours_are_there_before_the_first_warper)
+{
+    const Ptr<WarperCreator> base = makePtr<cv::SphericalWarper>();
+    const gcpw::Rig rig = bentRig(base, {cameraAt(-0.3), cameraAt(0.3)}, 6);
+    const gcpw::GcpwWarper creator(base, rig);
+    const Ptr<gcpw::GcpwCompensator> compensator = creator.compensator();
+    const Pair pair;
+    compensator->feed(pair.corners, pair.images, pair.masks);
+    std::vector<Mat> gains;
+    compensator->getMatGains(gains);
+    ASSERT_EQ(gains.size(), size_t(2));
+    EXPECT_EQ(cv::norm(gains[1], rig.alignment.image(1).color, NORM_INF), 0);
+}
+
+TEST(Gcpw_Compensator, what_was_fed_before_gives_way_to_a_rig)
+{
+    const Ptr<WarperCreator> base = makePtr<cv::SphericalWarper>();
+    const gcpw::Rig rig = bentRig(base, {cameraAt(-0.3), cameraAt(0.3)}, 6);
+    gcpw::GcpwWarper creator(base);
+    const Ptr<gcpw::GcpwCompensator> compensator = creator.compensator();
+    const Pair pair;
+    compensator->feed(pair.corners, pair.images, pair.masks);
+    std::vector<Mat> fed;
+    compensator->getMatGains(fed);
+    ASSERT_EQ(fed.size(), size_t(2));
+    creator.setRig(rig);
+    std::vector<Mat> gains;
+    compensator->getMatGains(gains);
+    EXPECT_EQ(cv::norm(gains[1], rig.alignment.image(1).color, NORM_INF), 0);
+    // But what was set stays, also for more images than the rig has.
+    fed.push_back(fed[0]);
+    compensator->setMatGains(fed);
+    compensator->getMatGains(gains);
+    ASSERT_EQ(gains.size(), size_t(3));
+    EXPECT_EQ(cv::norm(gains[1], fed[1], NORM_INF), 0);
+    Mat picture;
+    pair.images[0].copyTo(picture);
+    EXPECT_NO_THROW(compensator->apply(2, Point(), picture, noArray()));
+}
+
+TEST(Gcpw_Compensator, while_the_fallback_is_in_use_gains_are_the_fallbacks)
+{
+    typedef cv::detail::ExposureCompensator E;
+    const Pair pair;
+    for (const int type : {E::GAIN, E::GAIN_BLOCKS, E::CHANNELS, E::CHANNELS_BLOCKS})
+    {
+        const Ptr<E> plain = E::createDefault(type);
+        plain->feed(pair.corners, pair.images, pair.masks);
+        std::vector<Mat> expected;
+        plain->getMatGains(expected);
+        gcpw::GcpwCompensator compensator;
+        compensator.setFallback(E::createDefault(type));
+        compensator.feed(pair.corners, pair.images, pair.masks);
+        std::vector<Mat> gains;
+        compensator.getMatGains(gains);
+        ASSERT_EQ(gains.size(), size_t(2)) << type;
+        EXPECT_EQ(cv::norm(gains[1].reshape(1), expected[1].reshape(1), NORM_INF), 0) << type;
+
+        gcpw::GcpwCompensator second;
+        second.setFallback(E::createDefault(type));
+        second.setMatGains(gains);
+        Mat pictures[2];
+        for (Mat& picture : pictures)
+            pair.images[1].copyTo(picture);
+        plain->apply(1, pair.corners[1], pictures[0], noArray());
+        second.apply(1, pair.corners[1], pictures[1], noArray());
+        EXPECT_EQ(cv::norm(pictures[0], pictures[1], NORM_INF), 0) << type;
+    }
+    // Colour grids are nobody's but ours.
+    gcpw::GcpwCompensator first;
+    first.feed(pair.corners, pair.images, pair.masks);
+    std::vector<Mat> grids;
+    first.getMatGains(grids);
+    gcpw::GcpwCompensator compensator;
+    compensator.setFallback(E::createDefault(E::GAIN));
+    compensator.setMatGains(grids);
+    std::vector<Mat> kept;
+    compensator.getMatGains(kept);
+    ASSERT_EQ(kept.size(), size_t(2));
+    EXPECT_EQ(cv::norm(kept[1], grids[1], NORM_INF), 0);
+}
+
+TEST(Gcpw_Compensator, feed_refuses_what_apply_would_refuse)
+{
+    const Pair pair;
+    gcpw::GcpwCompensator compensator;
+    compensator.feed(pair.corners, pair.images, pair.masks);
+    std::vector<Mat> before;
+    compensator.getMatGains(before);
+    const Size size = pair.images[0].size();
+    for (const int type : {CV_8UC4, CV_16UC3, CV_16UC1, CV_32FC3})
+        EXPECT_THROW(compensator.feed(pair.corners, {UMat(size, type, Scalar::all(9)), UMat(size, type, Scalar::all(9))}, pair.masks), cv::Exception) << type;
+    for (const int type : {CV_32FC1, CV_8SC1, CV_8UC3})
+        EXPECT_THROW(compensator.feed(pair.corners, pair.images, std::vector<UMat>(2, UMat(size, type, Scalar::all(255)))), cv::Exception) << type;
+    std::vector<Mat> after;
+    compensator.getMatGains(after);
+    EXPECT_EQ(cv::norm(before[1], after[1], NORM_INF), 0);
+}
+
 TEST(Gcpw_Compensator, gains_travel_and_stay_without_update)
 {
     const Pair pair;

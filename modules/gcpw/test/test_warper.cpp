@@ -173,6 +173,21 @@ TEST_P(Gcpw_Warper, warpBackward_undoes_warp)
     EXPECT_LT(cv::norm(image(middle), back(middle), NORM_L1) / (3.0 * middle.area()), 1.0);
 }
 
+TEST_P(Gcpw_Warper, warpBackward_refuses_a_picture_of_another_size_with_a_rig_and_without)
+{
+    const Base base = GetParam();
+    for (const double bend : {-1, 0, 7}) // -1: no rig at all
+    {
+        const Creator creator(base.creator, bend < 0 ? gcpw::Rig() : bentRig(base.creator, base.cameras, bend));
+        const Ptr<cv::detail::RotationWarper> warper = creator.create(static_cast<float>(base.cameras[0].focal));
+        const cv::detail::CameraParams& camera = base.cameras[1];
+        const Size right = warper->warpRoi(RIG_IMAGE, intrinsics(camera), camera.R).size();
+        Mat back;
+        EXPECT_NO_THROW(warper->warpBackward(Mat(right, CV_8UC3, Scalar::all(9)), intrinsics(camera), camera.R, INTER_LINEAR, BORDER_REFLECT, RIG_IMAGE, back)) << bend;
+        EXPECT_THROW(warper->warpBackward(Mat(right + Size(0, 5), CV_8UC3, Scalar::all(9)), intrinsics(camera), camera.R, INTER_LINEAR, BORDER_REFLECT, RIG_IMAGE, back), cv::Exception) << bend;
+    }
+}
+
 const Base BASES[] = {{"spherical", makePtr<cv::SphericalWarper>(), threeCameras()},
                       {"cylindrical", makePtr<cv::CylindricalWarper>(), threeCameras()},
                       {"plane", makePtr<cv::PlaneWarper>(), threeCameras()},
@@ -227,6 +242,82 @@ TEST(Gcpw_Warper, equal_rotations_are_told_apart_by_the_order_of_calls)
     EXPECT_NE(rois[0], rois[1]);
     EXPECT_EQ(rois[0], rois[2]);
     EXPECT_EQ(rois[1], rois[3]);
+}
+
+TEST(Gcpw_Warper, equal_rotations_of_gray_photographs_give_image_and_mask_one_mesh)
+{
+    const Ptr<WarperCreator> base = makePtr<cv::PlaneWarper>();
+    const std::vector<cv::detail::CameraParams> cameras(2, cameraAt(0));
+    const Creator creator(base, bentRig(base, cameras, 9));
+    const Mat K = intrinsics(cameras[0]);
+    const Mat image(RIG_IMAGE, CV_8UC1, Scalar(90));
+    const Mat full(RIG_IMAGE, CV_8UC1, Scalar(255));
+    for (const bool masks_later : {false, true})
+    {
+        // A new warper counts from the first image on, wherever the one before has stopped.
+        Mat ignored;
+        creator.create(static_cast<float>(RIG_FOCAL))->warp(image, K, cameras[0].R, INTER_LINEAR, BORDER_REFLECT, ignored);
+        const Ptr<cv::detail::RotationWarper> warper = creator.create(static_cast<float>(RIG_FOCAL));
+        std::vector<Rect> rois;
+        std::vector<Rect> pictures;
+        std::vector<Rect> masks;
+        const auto warpMask = [&]
+        {
+            Mat mask;
+            const Point corner = warper->warp(full, K, cameras[0].R, INTER_NEAREST, BORDER_CONSTANT, mask);
+            masks.emplace_back(corner, mask.size());
+        };
+        for (int i = 0; i < 2; ++i)
+        {
+            rois.push_back(warper->warpRoi(RIG_IMAGE, K, cameras[0].R));
+            Mat picture;
+            const Point corner = warper->warp(image, K, cameras[0].R, INTER_LINEAR, BORDER_REFLECT, picture);
+            pictures.emplace_back(corner, picture.size());
+            if (!masks_later)
+                warpMask();
+        }
+        for (int i = 0; masks_later && i < 2; ++i)
+            warpMask();
+        EXPECT_NE(rois[0], rois[1]);
+        EXPECT_EQ(pictures, rois);
+        EXPECT_EQ(masks, rois);
+    }
+}
+
+TEST(Gcpw_Warper, a_tall_picture_may_be_warped_onto_itself)
+{
+    const Size tall(120, 2600);
+    const Ptr<WarperCreator> base = makePtr<cv::AffineWarper>();
+    std::vector<cv::detail::CameraParams> cameras(1);
+    cameras[0].focal = 1;
+    cameras[0].ppx = cameras[0].ppy = 0;
+    cameras[0].R = Mat::eye(3, 3, CV_32F);
+    gcpw::Rig rig = bentRig(base, cameras, 0);
+    // Bent inside only: the picture keeps the image's size.
+    gcpw::Alignment::Image image = rig.alignment.image(0);
+    image.full_size = image.work_size = tall;
+    for (int row = 0; row < image.mesh.rows; ++row)
+        for (int col = 0; col < image.mesh.cols; ++col)
+        {
+            const Vec2d rest(col * tall.width / 8.0 - 0.5, row * tall.height / 6.0 - 0.5);
+            image.rough.at<Vec2d>(row, col) = rest;
+            image.mesh.at<Vec2d>(row, col) = rest + Vec2d(0, 40 * std::sin(CV_PI * row / 6));
+        }
+    rig.alignment = gcpw::Alignment({image}, Size2d(1, 1), gcpw::Report());
+    const Ptr<cv::detail::RotationWarper> warper = Creator(base, rig).create(1);
+    const Mat K = Mat::eye(3, 3, CV_32F);
+    Mat picture(tall, CV_8UC1);
+    for (int y = 0; y < tall.height; ++y)
+        picture.row(y).setTo(Scalar((y * 37) % 251));
+    Mat expected;
+    warper->warp(picture, K, cameras[0].R, INTER_LINEAR, BORDER_CONSTANT, expected);
+    ASSERT_EQ(expected.size(), tall);
+    ASSERT_GT(cv::norm(expected, picture, NORM_INF), 0);
+    UMat device = picture.getUMat(ACCESS_READ).clone();
+    warper->warp(picture, K, cameras[0].R, INTER_LINEAR, BORDER_CONSTANT, picture);
+    EXPECT_EQ(cv::norm(expected, picture, NORM_INF), 0);
+    warper->warp(device, K, cameras[0].R, INTER_LINEAR, BORDER_CONSTANT, device);
+    EXPECT_EQ(cv::norm(expected, device.getMat(ACCESS_READ), NORM_INF), 0);
 }
 
 TEST(Gcpw_Warper, an_image_across_the_seam_is_shown_on_both_sides)

@@ -91,11 +91,19 @@ Point AffineWarper::warp(InputArray src, InputArray K, InputArray R, int interp_
 void AffineWarper::warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
                                 Size dst_size, OutputArray dst)
 {
-    const Point corner = warpRoi(dst_size, K, R).tl();
+    const Rect roi = warpRoi(dst_size, K, R);
+    checkPicture(src.size(), roi.size());
     Matx33d from_image = imageFromCanvas(K, R).inv();
-    from_image(0, 2) -= corner.x;
-    from_image(1, 2) -= corner.y;
+    from_image(0, 2) -= roi.x;
+    from_image(1, 2) -= roi.y;
     warpAffine(src, dst, upperRows(from_image), dst_size, interp_mode | WARP_INVERSE_MAP, border_mode);
+}
+
+void checkPicture(Size picture, Size expected)
+{
+    if (picture != expected)
+        CV_Error(Error::StsUnmatchedSizes, format("gcpw: warpBackward() takes a picture of warpRoi()'s size, %d x %d px, not %d x %d px",
+                                                  expected.width, expected.height, picture.width, picture.height));
 }
 
 Ptr<cv::detail::RotationWarper> trueWarper(const Ptr<cv::detail::RotationWarper>& base)

@@ -33,6 +33,9 @@ private:
     float scale_;
 };
 
+/// @throws cv::Exception StsUnmatchedSizes if a picture is not of the size that warpRoi() gives
+void checkPicture(Size picture, Size expected);
+
 /// The same base warper, or AffineWarper in the place of OpenCV's.
 Ptr<cv::detail::RotationWarper> trueWarper(const Ptr<cv::detail::RotationWarper>& base);
 

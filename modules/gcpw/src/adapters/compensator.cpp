@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include "adapters/color_field.hpp"
+#include "adapters/picture_scale.hpp"
 #include "adapters/session.hpp"
 #include "pipeline/color_only.hpp"
 
@@ -11,60 +12,75 @@ namespace cv
 namespace gcpw
 {
 
-GcpwCompensator::GcpwCompensator(const Params& params) : params_(params)
+GcpwCompensator::GcpwCompensator(const Params& params) : params_(params), given_(false)
 {
     params_.check();
 }
 
 GcpwCompensator::GcpwCompensator(const Params& params, const std::shared_ptr<Session>& session)
-    : params_(params), session_(session)
+    : params_(params), session_(session), given_(false)
 {
     params_.check();
 }
 
 bool GcpwCompensator::hasRig() const
 {
-    return session_ && session_->model && session_->scale > 0;
+    return session_ && session_->model;
+}
+
+GcpwCompensator::Source GcpwCompensator::source() const
+{
+    if (hasRig())
+        return given_ ? Source::OWN : Source::RIG;
+    return fallback_ && colors_.empty() ? Source::FALLBACK : Source::OWN;
 }
 
 void GcpwCompensator::feed(const std::vector<Point>& corners, const std::vector<UMat>& images,
                            const std::vector<std::pair<UMat, uchar> >& masks)
 {
-    if (hasRig())
+    if (session_ && session_->before_feed)
+        session_->before_feed();
+    if (hasRig() || (!getUpdateGain() && !colors_.empty() && colors_.size() == images.size()))
         return;
     if (fallback_)
     {
         fallback_->setUpdateGain(getUpdateGain());
         fallback_->feed(corners, images, masks);
+        colors_.clear();
+        given_ = false;
         return;
     }
-    if (!getUpdateGain() && colors_.size() == images.size())
-        return;
     CV_CheckEQ(corners.size(), images.size(), "gcpw: feed() takes one corner for each image");
     CV_CheckEQ(masks.size(), images.size(), "gcpw: feed() takes one mask for each image");
     std::vector<Mat> pictures;
     std::vector<Mat> inside;
     for (size_t i = 0; i < images.size(); ++i)
     {
+        CV_CheckType(images[i].type(), images[i].type() == CV_8UC3 || images[i].type() == CV_8UC1,
+                     "gcpw: feed() takes 8-bit BGR or gray images, as apply() does");
+        CV_CheckTypeEQ(masks[i].first.type(), CV_8UC1, "gcpw: feed() takes masks of type CV_8UC1");
         pictures.push_back(images[i].getMat(ACCESS_READ));
         inside.push_back(masks[i].first.getMat(ACCESS_READ) == masks[i].second);
     }
     colors_ = estimateColors(corners, pictures, inside, params_);
+    given_ = false;
 }
 
 void GcpwCompensator::apply(int index, Point corner, InputOutputArray image, InputArray mask)
 {
-    const bool joint = hasRig() && colors_.empty();
-    if (!joint && fallback_ && colors_.empty())
+    const Source from = source();
+    if (from == Source::FALLBACK)
     {
         fallback_->apply(index, corner, image, mask);
         return;
     }
+    const bool joint = from == Source::RIG;
     const size_t count = joint ? session_->model->items().size() : colors_.size();
     if (index < 0 || static_cast<size_t>(index) >= count)
         return;
     Mat picture = image.getMat();
-    if (!hasRig())
+    // Colours of more images than the rig has are not for its meshes.
+    if (!hasRig() || static_cast<size_t>(index) >= session_->model->items().size())
     {
         const Mat& color = colors_[index];
         const double x_scale = static_cast<double>(color.cols) / picture.cols;
@@ -74,11 +90,12 @@ void GcpwCompensator::apply(int index, Point corner, InputOutputArray image, Inp
     }
     const RigModel::Item& item = session_->model->items()[index];
     const Mat& color = joint ? item.image.color : colors_[index];
-    const PlacedMesh placed = session_->model->place(index, session_->scale);
+    const double scale = pictureScale(*session_->model, index, Rect(corner, picture.size()), session_->scales);
+    const PlacedMesh placed = session_->model->place(index, scale);
     const double x_scale = static_cast<double>(color.cols) / item.image.work_size.width;
     const double y_scale = static_cast<double>(color.rows) / item.image.work_size.height;
     // Turned off the seam, the mesh lies on one side of it only.
-    const double period = item.turn == 0 ? 0 : 2 * CV_PI * session_->scale;
+    const double period = item.turn == 0 ? 0 : 2 * CV_PI * scale;
     const Rect2d bounds = placed.mesh().bounds();
     const double middle = bounds.x + 0.5 * bounds.width;
     int hint = -1;
@@ -94,8 +111,14 @@ void GcpwCompensator::apply(int index, Point corner, InputOutputArray image, Inp
 
 void GcpwCompensator::getMatGains(std::vector<Mat>& gains)
 {
+    const Source from = source();
+    if (from == Source::FALLBACK)
+    {
+        fallback_->getMatGains(gains);
+        return;
+    }
     gains.clear();
-    if (hasRig() && colors_.empty())
+    if (from == Source::RIG)
     {
         for (const RigModel::Item& item : session_->model->items())
             gains.push_back(item.image.color.clone());
@@ -107,11 +130,20 @@ void GcpwCompensator::getMatGains(std::vector<Mat>& gains)
 
 void GcpwCompensator::setMatGains(std::vector<Mat>& gains)
 {
+    const bool grids = !gains.empty() && gains[0].type() == CV_32FC(6);
+    if (fallback_ && !hasRig() && !grids)
+    {
+        fallback_->setMatGains(gains);
+        colors_.clear();
+        given_ = false;
+        return;
+    }
     for (const Mat& gain : gains)
         CV_CheckTypeEQ(gain.type(), CV_32FC(6), "gcpw: a colour grid has gain and bias of Y, Cr, Cb");
     colors_.clear();
     for (const Mat& gain : gains)
         colors_.push_back(gain.clone());
+    given_ = !colors_.empty();
 }
 
 } // namespace gcpw

@@ -2,6 +2,7 @@
 #ifndef OPENCV_GCPW_IMAGE_CAPTURE_HPP
 #define OPENCV_GCPW_IMAGE_CAPTURE_HPP
 
+#include <functional>
 #include <memory>
 #include <vector>
 #include "matching/features_header.hpp"
@@ -17,6 +18,7 @@ struct Captured
 {
     std::vector<Mat> images;
     std::vector<KnownKeypoints> keypoints; ///< empty if they are not SIFT's
+    bool fresh = false;                    ///< not looked at since they were shown
 
     void clear() { *this = Captured(); }
 };
@@ -25,8 +27,10 @@ struct Captured
 class ImageCapture : public Feature2D
 {
 public:
-    ImageCapture(const Ptr<Feature2D>& finder, const std::shared_ptr<Captured>& captured)
-        : finder_(finder), captured_(captured)
+    /// @param finder may be empty: then detecting says so  @param on_show called when images come by; may be empty
+    ImageCapture(const Ptr<Feature2D>& finder, const std::shared_ptr<Captured>& captured,
+                 const std::function<void()>& on_show = std::function<void()>())
+        : finder_(finder), captured_(captured), on_show_(on_show)
     {
     }
 
@@ -34,39 +38,49 @@ public:
 
     void detect(InputArray image, std::vector<KeyPoint>& keypoints, InputArray mask) override
     {
-        finder_->detect(image, keypoints, mask);
+        real().detect(image, keypoints, mask);
     }
     void detect(InputArrayOfArrays images, std::vector<std::vector<KeyPoint>>& keypoints, InputArrayOfArrays masks) override
     {
         keep(images);
-        finder_->detect(images, keypoints, masks);
+        real().detect(images, keypoints, masks);
     }
     void compute(InputArray image, std::vector<KeyPoint>& keypoints, OutputArray descriptors) override
     {
-        finder_->compute(image, keypoints, descriptors);
+        real().compute(image, keypoints, descriptors);
     }
     void compute(InputArrayOfArrays images, std::vector<std::vector<KeyPoint>>& keypoints,
                  OutputArrayOfArrays descriptors) override
     {
-        finder_->compute(images, keypoints, descriptors);
+        real().compute(images, keypoints, descriptors);
         keep(keypoints, descriptors);
     }
     void detectAndCompute(InputArray image, InputArray mask, std::vector<KeyPoint>& keypoints, OutputArray descriptors,
                           bool use_provided) override
     {
-        finder_->detectAndCompute(image, mask, keypoints, descriptors, use_provided);
+        real().detectAndCompute(image, mask, keypoints, descriptors, use_provided);
     }
-    int descriptorSize() const override { return finder_->descriptorSize(); }
-    int descriptorType() const override { return finder_->descriptorType(); }
-    int defaultNorm() const override { return finder_->defaultNorm(); }
-    bool empty() const override { return finder_->empty(); }
-    void write(FileStorage& file) const override { finder_->write(file); }
-    void read(const FileNode& node) override { finder_->read(node); }
-    String getDefaultName() const override { return finder_->getDefaultName(); }
+    int descriptorSize() const override { return real().descriptorSize(); }
+    int descriptorType() const override { return real().descriptorType(); }
+    int defaultNorm() const override { return real().defaultNorm(); }
+    bool empty() const override { return !finder_ || finder_->empty(); }
+    void write(FileStorage& file) const override { real().write(file); }
+    void read(const FileNode& node) override { real().read(node); }
+    String getDefaultName() const override { return real().getDefaultName(); }
 
 private:
+    Feature2D& real() const
+    {
+        if (!finder_)
+            CV_Error(Error::StsNullPtr, "gcpw: the stitcher had no features finder when attach() was called: call setFeaturesFinder(), "
+                                        "then attach() once more");
+        return *finder_;
+    }
+
     void keep(InputArrayOfArrays images)
     {
+        if (on_show_)
+            on_show_();
         std::vector<UMat> shown;
         images.getUMatVector(shown);
         captured_->clear();
@@ -74,6 +88,7 @@ private:
         // Copies: a stitcher may work on the caller's own pixels.
         for (size_t i = 0; i < shown.size(); ++i)
             shown[i].copyTo(captured_->images[i]);
+        captured_->fresh = true;
     }
 
     void keep(const std::vector<std::vector<KeyPoint>>& keypoints, InputArrayOfArrays descriptor_array)
@@ -93,6 +108,7 @@ private:
 
     Ptr<Feature2D> finder_;
     std::shared_ptr<Captured> captured_;
+    std::function<void()> on_show_;
 };
 
 } // namespace gcpw

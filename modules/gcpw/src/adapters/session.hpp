@@ -2,8 +2,10 @@
 #ifndef OPENCV_GCPW_SESSION_HPP
 #define OPENCV_GCPW_SESSION_HPP
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <vector>
 #include "adapters/rig_model.hpp"
 
 namespace cv
@@ -17,13 +19,25 @@ struct Session
     Ptr<WarperCreator> base;
     Rig rig;
     std::shared_ptr<const RigModel> model; ///< of the rig; empty if it is not usable
-    float scale = 0;                       ///< of the warper created last
+    std::vector<float> scales;             ///< of the warpers made, latest first, each once
+    std::weak_ptr<cv::detail::RotationWarper> warper; ///< made last: cv::Stitcher keeps it until its panorama is done
     std::function<void()> before_create;   ///< the binding's chance to estimate; may be empty
+    std::function<void()> before_feed;     ///< the binding's chance to see what became of the stitcher; may be empty
 
     void setRig(const Rig& new_rig)
     {
+        // The model first: if it cannot be made, the rig of before stays whole.
+        const std::shared_ptr<const RigModel> new_model = RigModel::create(new_rig);
         rig = new_rig;
-        model = RigModel::create(new_rig);
+        model = new_model;
+    }
+
+    void noteScale(float scale)
+    {
+        const size_t enough = 16; // a stitcher has two
+        scales.erase(std::remove(scales.begin(), scales.end(), scale), scales.end());
+        scales.insert(scales.begin(), scale);
+        scales.resize(std::min(scales.size(), enough));
     }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include "adapters/affine_warper.hpp"
 #include "adapters/rig_model.hpp"
 #include "adapters/seam_turn.hpp"
 #include "adapters/warp_maps.hpp"
@@ -88,6 +89,15 @@ public:
         return {*base, model->place(subject.index, base->getScale()), subject.K, subject.R, model->items()[subject.index].turn};
     }
 
+    /// What warp() is called with. Masks have one channel; where the photographs have one too, the flags that cv::Stitcher
+    /// and everybody's loops warp masks with tell them apart.
+    Call kindOf(int channels, int interp_mode, int border_mode)
+    {
+        colored_ = colored_ || channels != 1;
+        const bool nearest = interp_mode == INTER_NEAREST || interp_mode == INTER_NEAREST_EXACT;
+        return channels == 1 && (colored_ || (nearest && border_mode == BORDER_CONSTANT)) ? Call::Mask : Call::Image;
+    }
+
     /// The maps of an image: its mask is warped right after it, with the same ones.
     void build(const Subject& subject, Size size)
     {
@@ -120,6 +130,7 @@ private:
     };
 
     std::map<std::pair<int, Call>, size_t> calls_;
+    bool colored_ = false; ///< an image of several channels was warped
     Key key_;
 };
 
@@ -173,16 +184,19 @@ Rect GcpwWarper::buildMaps(Size src_size, InputArray K, InputArray R, OutputArra
 
 Point GcpwWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, OutputArray dst)
 {
-    const Impl::Subject subject = impl_->subject(K, R, src.channels() == 1 ? Call::Mask : Call::Image);
+    const Impl::Subject subject = impl_->subject(K, R, impl_->kindOf(src.channels(), interp_mode, border_mode));
     if (subject.index < 0)
     {
         checkRoi(impl_->base->warpRoi(src.size(), subject.K, Mat(subject.R)));
         return impl_->base->warp(src, subject.K, Mat(subject.R), interp_mode, border_mode, dst);
     }
-    const Mat image = src.getMat();
+    Mat image = src.getMat();
     impl_->build(subject, image.size());
     dst.create(impl_->roi.size(), image.type());
     Mat picture = dst.getMat();
+    // One tile must not overwrite what the next one reads.
+    if (image.datastart < picture.dataend && picture.datastart < image.dataend)
+        image = image.clone();
     for (int top = 0; top < picture.rows; top += TILE)
     {
         const Range rows(top, std::min(top + TILE, picture.rows));
@@ -206,9 +220,7 @@ void GcpwWarper::warpBackward(InputArray src, InputArray K, InputArray R, int in
     }
     const WarpMaps warp = impl_->maps(subject);
     const Rect roi = warp.roi(dst_size);
-    if (roi.size() != src.size())
-        CV_Error(Error::StsUnmatchedSizes, format("gcpw: warpBackward() takes a picture of warpRoi()'s size, %d x %d px, not %d x %d px",
-                                                  roi.width, roi.height, src.size().width, src.size().height));
+    checkPicture(src.size(), roi.size());
     Mat x_map;
     Mat y_map;
     warp.buildForward(dst_size, roi.tl(), x_map, y_map);

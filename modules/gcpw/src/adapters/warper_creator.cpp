@@ -21,10 +21,15 @@ GcpwWarper::GcpwWarper(const std::shared_ptr<Session>& session) : session_(sessi
 
 Ptr<cv::detail::RotationWarper> GcpwWarper::create(float scale) const
 {
-    if (session_->before_create)
-        session_->before_create();
-    session_->scale = scale;
-    return makePtr<detail::GcpwWarper>(trueWarper(session_->base->create(scale)), session_->model);
+    // The hook calls the user, who may replace the stitcher's warper, which is this object.
+    const std::shared_ptr<Session> session = session_;
+    if (session->before_create)
+        session->before_create();
+    const Ptr<cv::detail::RotationWarper> warper =
+        makePtr<detail::GcpwWarper>(trueWarper(session->base->create(scale)), session->model);
+    session->noteScale(scale);
+    session->warper = warper;
+    return warper;
 }
 
 const Rig& GcpwWarper::rig() const

@@ -23,7 +23,8 @@ namespace detail
 /** @brief A base warper followed by the mesh of the image the call is about.
 
 The image is known by its camera's R: all nine values, as CV_32F. Two cameras with equal R are told apart by the order of the
-calls; an R that the rig does not know gets the base warper. An image whose mesh rests gets exactly the base warper.
+calls, images and masks each from the first one of a new warper on: a mask has one channel, and where photographs have one too
+it is what INTER_NEAREST and BORDER_CONSTANT come with. An R that the rig does not know gets the base warper. An image whose mesh rests gets exactly the base warper.
 
 The mesh moves the base warper's canvas, so it is the same picture at every scale. An image that straddles the seam of a
 360-degree panorama keeps the base warper's full-width rectangle.
@@ -48,6 +49,7 @@ public:
     Point warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
                OutputArray dst) CV_OVERRIDE;
 
+    /// @throws cv::Exception if src is not of the size that warpRoi() gives
     void warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, Size dst_size,
                       OutputArray dst) CV_OVERRIDE;
 
@@ -77,7 +79,7 @@ public:
     void setRig(const Rig& rig);
     Ptr<WarperCreator> base() const;
 
-    /// The compensator with the rig's colours. It renders at the scale that was last asked of create().
+    /// The compensator with the rig's colours, at the scale of whichever warper made the picture.
     Ptr<GcpwCompensator> compensator(const Params& params = Params()) const;
 
     /// Shared by the warper, the compensator and the stitcher's binding.

@@ -1,0 +1,78 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_SEEDED_MATCHER_HPP
+#define OPENCV_GCPW_SEEDED_MATCHER_HPP
+
+#include <vector>
+#include <opencv2/stitching/detail/matchers.hpp>
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief Another features matcher that always draws the same numbers.
+
+OpenCV's matchers look for neighbours in random trees: what they find, and with it the cameras, depends on what the thread has
+drawn before. Here each call starts from one state of cv::theRNG() and puts the caller's back. */
+class SeededMatcher : public cv::detail::FeaturesMatcher
+{
+public:
+    explicit SeededMatcher(const Ptr<cv::detail::FeaturesMatcher>& matcher)
+        : cv::detail::FeaturesMatcher(matcher && matcher->isThreadSafe()), matcher_(matcher)
+    {
+    }
+
+    Ptr<cv::detail::FeaturesMatcher> matcher() const { return matcher_; }
+
+    void collectGarbage() override
+    {
+        if (matcher_)
+            matcher_->collectGarbage();
+    }
+
+protected:
+    void match(const cv::detail::ImageFeatures& a, const cv::detail::ImageFeatures& b, cv::detail::MatchesInfo& found) override
+    {
+        const Seed seed;
+        real()(a, b, found);
+    }
+
+#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
+    // Since OpenCV 4.7 a matcher may choose the pairs by itself.
+    void match(const std::vector<cv::detail::ImageFeatures>& features, std::vector<cv::detail::MatchesInfo>& found,
+               const UMat& mask) override
+    {
+        const Seed seed;
+        real()(features, found, mask);
+    }
+#endif
+
+private:
+    /// A fixed state of this thread's generator as long as it lives.
+    class Seed
+    {
+    public:
+        Seed() : before_(theRNG()) { theRNG() = RNG(0x6763707700000001); }
+        ~Seed() { theRNG() = before_; }
+        Seed(const Seed&) = delete;
+        Seed& operator=(const Seed&) = delete;
+
+    private:
+        RNG before_;
+    };
+
+    cv::detail::FeaturesMatcher& real()
+    {
+        if (!matcher_)
+            CV_Error(Error::StsNullPtr, "gcpw: the stitcher had no features matcher when attach() was called: call setFeaturesMatcher(), "
+                                        "then attach() once more");
+        return *matcher_;
+    }
+
+    Ptr<cv::detail::FeaturesMatcher> matcher_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
