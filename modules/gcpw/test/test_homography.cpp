@@ -151,6 +151,8 @@ TEST(Gcpw_Homography, plausible_is_upright_finite_and_not_much_zoomed_anywhere)
     EXPECT_FALSE(isPlausible(Matx33d(9, 0, 0, 0, 9, 0, 0, 0, 1), size, 8));
     EXPECT_FALSE(isPlausible(Matx33d(0.1, 0, 0, 0, 0.1, 0, 0, 0, 1), size, 8));
     EXPECT_FALSE(isPlausible(Matx33d(1, 0, 0, 0, 1, 0, -2e-3, 0, 1), size, 8)) << "a horizon inside";
+    EXPECT_FALSE(isPlausible(Matx33d(0.1, 0, 0, 0, 1, 0, 0, 0, 1), size, 8)) << "collapsed in one direction";
+    EXPECT_TRUE(isPlausible(Matx33d(0.2, 0, 0, 0, 0.2, 0, 0, 0, 1), size, 8));
     EXPECT_FALSE(isPlausible(Matx33d::zeros(), size, 8));
     EXPECT_FALSE(isPlausible(Matx33d::all(std::numeric_limits<double>::quiet_NaN()), size, 8));
 }

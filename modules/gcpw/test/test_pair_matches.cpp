@@ -68,42 +68,6 @@ TEST(Gcpw_PairMatchesInput, a_mirrored_partner_has_no_alignment_and_the_message_
     EXPECT_NE(matches.message.find("no alignment"), std::string::npos) << matches.message;
 }
 
-TEST(Gcpw_PairMatchesInput, lines_lie_inside_the_masks)
-{
-    const Scene scene(smallScene());
-    const auto masked = [](const Mat& image, Mat& mask)
-    {
-        mask.create(image.size(), CV_8UC1);
-        mask.setTo(0);
-        ellipse(mask, Point(image.cols / 2, image.rows / 2), Size(image.cols * 9 / 20, image.rows * 9 / 20), 0, 0, 360,
-                Scalar(255), FILLED);
-        Mat bgra;
-        cvtColor(image, bgra, COLOR_BGR2BGRA);
-        insertChannel(mask, bgra, 3);
-        return bgra;
-    };
-    Mat source_mask;
-    Mat target_mask;
-    const Mat source = masked(scene.source(), source_mask);
-    const Mat target = masked(scene.target(), target_mask);
-    const PairMatches matches = findPairMatches(source, target);
-    ASSERT_EQ(matches.status, Status::OK) << matches.message;
-    ASSERT_FALSE(matches.source_lines.empty());
-    const auto expectInside = [](const Vec4d& line, const Mat& mask)
-    {
-        for (int k = 0; k <= 20; ++k)
-        {
-            const Point p(cvRound(line[0] + k / 20.0 * (line[2] - line[0])), cvRound(line[1] + k / 20.0 * (line[3] - line[1])));
-            EXPECT_NE(mask.at<uchar>(p), 0) << line;
-        }
-    };
-    for (size_t i = 0; i < matches.source_lines.size(); ++i)
-    {
-        expectInside(matches.source_lines[i], source_mask);
-        expectInside(matches.target_lines[i], target_mask);
-    }
-}
-
 TEST(Gcpw_PairMatchesInput, opencvs_random_numbers_are_neither_read_nor_moved_on)
 {
     const Scene scene(smallScene());

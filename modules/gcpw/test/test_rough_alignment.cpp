@@ -83,6 +83,18 @@ TEST(Gcpw_RoughAlignment, a_mirrored_partner_is_no_alignment)
     EXPECT_EQ(rough.inliers, 0) << "none agrees with a plausible homography";
 }
 
+TEST(Gcpw_RoughAlignment, a_partner_that_collapses_towards_a_line_is_no_alignment)
+{
+    Keypoints a;
+    Keypoints b;
+    makeKeypoints(100, 0, a, b);
+    for (size_t i = 0; i < a.points.size(); ++i)
+        b.points[i] = Point2d(320 + 0.05 * a.points[i].x, a.points[i].y); // its area is still above that of an eightfold zoom
+    const RoughAlignment rough = alignRoughly(a, b, {}, {}, SIZE);
+    EXPECT_FALSE(rough.found);
+    EXPECT_EQ(rough.inliers, 0);
+}
+
 TEST(Gcpw_RoughAlignment, matches_on_one_line_are_no_alignment)
 {
     for (const double noise_px : {0.0, 0.3})

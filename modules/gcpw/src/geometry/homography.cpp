@@ -1,6 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "geometry/homography.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cv
@@ -111,7 +112,15 @@ bool isPlausible(const Matx33d& h, Size image_size, double max_zoom)
         const double z = h(2, 0) * p.x + h(2, 1) * p.y + h(2, 2);
         // det of the Jacobian of a homography is det(H) / z^3
         const double area = determinant(h) / (z * z * z);
-        if (!(z > 0) || !(area <= max_zoom * max_zoom) || !(area >= 1 / (max_zoom * max_zoom)))
+        if (!(z > 0) || !(area > 0) || !(area <= max_zoom * max_zoom))
+            return false;
+        // Of both singular values of the Jacobian the product is the area, and the sum of squares that of its elements.
+        const Point2d q = applyHomography(h, p);
+        const Matx22d jacobian((h(0, 0) - q.x * h(2, 0)) / z, (h(0, 1) - q.x * h(2, 1)) / z, (h(1, 0) - q.y * h(2, 0)) / z,
+                               (h(1, 1) - q.y * h(2, 1)) / z);
+        const double squares = jacobian.dot(jacobian);
+        const double largest = std::sqrt(0.5 * (squares + std::sqrt(std::max(squares * squares - 4 * area * area, 0.0))));
+        if (!(area / largest >= 1 / max_zoom))
             return false;
     }
     return true;

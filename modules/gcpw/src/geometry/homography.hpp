@@ -19,8 +19,9 @@ are normalised first; rows are weighted by the matches' weights.
 @return false if fewer than four points' worth of rows are given or they do not fix a homography */
 bool fitHomography(const std::vector<PointMatch>& points, const std::vector<LineMatch>& lines, Matx33d& b_from_a);
 
-/** @brief Whether a homography keeps a whole image upright and finite.
-@return true if its Jacobian's determinant is positive, and within [1 / max_zoom, max_zoom], on all four corners */
+/** @brief Whether a homography keeps a whole image upright and finite, and collapses no direction of it.
+@return true if on all four corners its Jacobian's determinant is positive and at most max_zoom^2, and no direction shrinks by
+more than max_zoom */
 bool isPlausible(const Matx33d& h, Size image_size, double max_zoom);
 
 } // namespace gcpw
