@@ -92,7 +92,11 @@ Canvas warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypoints>
         Point corner = warper.warp(images[i], K, off_seam, INTER_LINEAR, BORDER_REFLECT, canvas.images[i]);
         warper.warp(Mat(size, CV_8UC1, Scalar(255)), K, off_seam, INTER_NEAREST, BORDER_CONSTANT, canvas.masks[i]);
         for (size_t k = 0; !keypoints.empty() && k < keypoints[i].points.size(); ++k)
-            canvas.keypoints[i].points[k] = warper.warpPoint(keypoints[i].points[k], K, off_seam) - Point2f(corner);
+        {
+            // What the projection has no place for goes far outside, where it is left out.
+            const Point2f p = warper.warpPoint(keypoints[i].points[k], K, off_seam) - Point2f(corner);
+            canvas.keypoints[i].points[k] = std::isfinite(p.x) && std::isfinite(p.y) ? p : Point2f(-MAX_SIDE, -MAX_SIDE);
+        }
         corner.x += cvRound(turn * warper.getScale());
         canvas.corners.push_back(corner);
         rig.turns.push_back(turn);
@@ -168,6 +172,7 @@ Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraPara
         rig.alignment = Aligner::create(used)->align(canvas.corners, canvas.images, canvas.masks,
                                                      std::vector<Correspondences>(), progress, canvas.keypoints);
         checkMeshes(rig.alignment);
+        rig.check();
     }
     catch (const NoAnswer& e)
     {

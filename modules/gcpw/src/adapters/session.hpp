@@ -22,8 +22,8 @@ struct Session
 
     void setRig(const Rig& new_rig)
     {
+        model = RigModel::create(new_rig); // refuses a bad one before anything changes
         rig = new_rig;
-        model = RigModel::create(new_rig);
     }
 };
 

@@ -79,7 +79,8 @@ public:
             params.referenceImage = found == component.end() ? -1 : static_cast<int>(found - component.begin());
         }
         rig = alignRig(images, cameras, session_->base, params, progress_, keypoints);
-        rig.component = component;
+        if (component.size() == cameras.size())
+            rig.component = component;
         rig.work_scale = stitcher->workScale();
         session_->setRig(rig);
     }

@@ -43,7 +43,7 @@ public:
     /// One rows x cols, CV_32FC(6) per image: gain Y, Cr, Cb, bias Y, Cr, Cb; intensities in [0, 1].
     void getMatGains(std::vector<Mat>& gains) CV_OVERRIDE;
 
-    /// @throws cv::Exception if a Mat is not of that type
+    /// @throws cv::Exception if a Mat is not of that type, empty or not finite; nothing is changed then
     void setMatGains(std::vector<Mat>& gains) CV_OVERRIDE;
 
     /// Used by feed() and apply() where neither a rig nor colours of its own are at hand.

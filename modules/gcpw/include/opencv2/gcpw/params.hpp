@@ -26,7 +26,8 @@ enum class Method
 
 /** @brief Every constant of the method. Defaults are measured (see doc/results.md); paper() has the paper's values.
 
-Lengths are pixels of the working resolution (workMegapix), intensities lie in [0, 1]. */
+Lengths are pixels of the working resolution (workMegapix), intensities lie in [0, 1]. Where no upper bound stands, it is 1e9 for
+a weight and 1e6 for anything else. */
 struct CV_EXPORTS_W_SIMPLE Params
 {
     CV_WRAP Params() {} // NOLINT(modernize-use-equals-default): as OpenCV's binding generator reads it
@@ -58,7 +59,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name Canvas
     //! @{
-    CV_PROP_RW double canvasPeriod = 0; ///< px of the canvas as given after which x repeats (360-degree panoramas); 0: it does not
+    CV_PROP_RW double canvasPeriod = 0; ///< px of the canvas as given after which x repeats (360-degree panoramas), at least the widest image; 0: it does not
     //! @}
 
     //! @name Weights of the terms (eq. totalfunction)
@@ -73,7 +74,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @name Sampling
     //! @{
     CV_PROP_RW int sampleStep = 2;    ///< px between photometric samples, on every pyramid level, 1..64
-    CV_PROP_RW double lineStep = 5;   ///< px between samples of a line, > 0
+    CV_PROP_RW double lineStep = 5;   ///< px between samples of a line, at least 0.1
     CV_PROP_RW int pyramidLevels = 3; ///< Gaussian pyramid levels, 1..8
     //! @}
 
