@@ -6,7 +6,10 @@
 #include "refusal.hpp"
 #include "scene.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test
+{
+namespace
+{
 
 using namespace cv::gcpw;
 
@@ -17,7 +20,8 @@ const float ENDLESS = std::numeric_limits<float>::infinity();
 class Gcpw_AlignerInput : public ::testing::Test
 {
 protected:
-    Alignment align(const std::vector<Point>& at, const std::vector<Correspondences>& correspondences = std::vector<Correspondences>(),
+    Alignment align(const std::vector<Point>& at,
+                    const std::vector<Correspondences>& correspondences = std::vector<Correspondences>(),
                     const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>()) const
     {
         const std::vector<Mat> images = {scene.source(), scene.target()};
@@ -128,4 +132,5 @@ TEST_F(Gcpw_AlignerInput, points_that_are_not_finite_are_named)
     }
 }
 
-}} // namespace
+} // namespace
+} // namespace opencv_test

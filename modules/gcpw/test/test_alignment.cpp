@@ -4,7 +4,10 @@
 #include <limits>
 #include "refusal.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test
+{
+namespace
+{
 
 using namespace cv::gcpw;
 
@@ -49,7 +52,8 @@ TEST(Gcpw_Alignment, images_as_described_are_taken)
 TEST(Gcpw_Alignment, a_mat_of_another_type_or_size_is_refused_with_its_name)
 {
     typedef Mat Alignment::Image::*Part;
-    const std::pair<Part, const char*> parts[] = {{&Alignment::Image::mesh, "mesh"}, {&Alignment::Image::rough, "rough"}};
+    const std::pair<Part, const char*> parts[] = {{&Alignment::Image::mesh, "mesh"},
+                                                  {&Alignment::Image::rough, "rough"}};
     for (const auto& part : parts)
     {
         Alignment::Image image = restingImage();
@@ -121,4 +125,5 @@ TEST(Gcpw_Alignment, an_image_that_is_not_there_is_named)
     opencv_test::expectRefused([&] { Alignment().image(0); }, "no image 0");
 }
 
-}} // namespace
+} // namespace
+} // namespace opencv_test

@@ -5,7 +5,10 @@
 #include "refusal.hpp"
 #include "scene.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test
+{
+namespace
+{
 
 using namespace cv::gcpw;
 
@@ -123,4 +126,5 @@ TEST_F(Gcpw_MatchCheck, counts_that_differ_are_refused)
     expectRefused(broken, "weight");
 }
 
-}} // namespace
+} // namespace
+} // namespace opencv_test

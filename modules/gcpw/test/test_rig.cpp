@@ -5,7 +5,10 @@
 #include "refusal.hpp"
 #include "rig_scene.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test
+{
+namespace
+{
 
 const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 const double ENDLESS = std::numeric_limits<double>::infinity();
@@ -61,7 +64,8 @@ TEST(Gcpw_Rig, counts_that_do_not_fit_are_refused)
 TEST(Gcpw_Rig, a_rotation_that_is_none_is_refused)
 {
     gcpw::Rig rig = goodRig();
-    for (const Mat& R : {Mat(), Mat(Mat::eye(2, 2, CV_32F)), Mat(9, 1, CV_32F, Scalar(1)), Mat(3, 3, CV_32FC2, Scalar::all(1))})
+    for (const Mat& R :
+         {Mat(), Mat(Mat::eye(2, 2, CV_32F)), Mat(9, 1, CV_32F, Scalar(1)), Mat(3, 3, CV_32FC2, Scalar::all(1))})
     {
         rig.cameras[1].R = R;
         expectRefused(rig, "R of camera 1");
@@ -125,4 +129,5 @@ TEST(Gcpw_Rig, scales_turns_components_and_sizes_out_of_range_are_named)
     expectRefused(rig, "image_sizes[0]");
 }
 
-}} // namespace
+} // namespace
+} // namespace opencv_test

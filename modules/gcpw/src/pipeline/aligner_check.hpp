@@ -13,8 +13,8 @@ namespace gcpw
 @param sizes of the images, px as given
 @throws cv::Exception that names the value and what it must be */
 void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Size>& sizes,
-                       const std::vector<Correspondences>& correspondences, const std::vector<KnownKeypoints>& keypoints,
-                       const Params& params);
+                       const std::vector<Correspondences>& correspondences,
+                       const std::vector<KnownKeypoints>& keypoints, const Params& params);
 
 } // namespace gcpw
 } // namespace cv

@@ -19,15 +19,16 @@ const double HEAVIEST = 1e9;     ///< weight of a line, as Params has it
 void checkSize(Size size, Size matched, const char* name)
 {
     if (size != matched)
-        CV_Error(Error::StsUnmatchedSizes, format("gcpw: the %s image is %d x %d px but was matched at %d x %d px", name, size.width,
-                                                  size.height, matched.width, matched.height));
+        CV_Error(Error::StsUnmatchedSizes, format("gcpw: the %s image is %d x %d px but was matched at %d x %d px",
+                                                  name, size.width, size.height, matched.width, matched.height));
 }
 
 void checkStatus(Status status)
 {
     if (status != Status::OK && status != Status::NO_ALIGNMENT && status != Status::CANCELLED)
-        CV_Error(Error::StsOutOfRange, format("gcpw: PairMatches::status is %d; it must be OK, NO_ALIGNMENT or CANCELLED",
-                                              static_cast<int>(status)));
+        CV_Error(Error::StsOutOfRange,
+                 format("gcpw: PairMatches::status is %d; it must be OK, NO_ALIGNMENT or CANCELLED",
+                        static_cast<int>(status)));
 }
 
 /// The whole source must stay upright on the target's side of the horizon.
@@ -46,14 +47,15 @@ void checkHomography(const Matx33d& given, Size source)
         const double z = h(2, 0) * p.x + h(2, 1) * p.y + h(2, 2);
         sign = sign == 0 ? z : sign;
         if (!(z * sign > 0))
-            CV_Error(Error::StsOutOfRange, std::string(name) + "has its horizon inside the source, or is zero; no image is seen like that");
+            CV_Error(Error::StsOutOfRange,
+                     std::string(name) + "has its horizon inside the source, or is zero; no image is seen like that");
         // det of the Jacobian of a homography is det(H) / z^3
         const double area = determinant(h) / (z * z * z);
         if (!(area >= 1 / (MAX_ZOOM * MAX_ZOOM)) || !(area <= MAX_ZOOM * MAX_ZOOM))
-            CV_Error(Error::StsOutOfRange,
-                     format("%schanges areas by a factor of %g at corner (%g, %g) of the source; it must be above 0 (not mirrored or "
-                            "singular) and within 1e-6 to 1e6",
-                            name, area, p.x, p.y));
+            CV_Error(Error::StsOutOfRange, format("%schanges areas by a factor of %g at corner (%g, %g) of the source; "
+                                                  "it must be above 0 (not mirrored or "
+                                                  "singular) and within 1e-6 to 1e6",
+                                                  name, area, p.x, p.y));
     }
 }
 
@@ -66,8 +68,9 @@ void checkPoints(const std::vector<Point2d>& points, const char* name)
 {
     for (size_t i = 0; i < points.size(); ++i)
         if (!isNear(points[i].x) || !isNear(points[i].y))
-            CV_Error(Error::StsOutOfRange, format("gcpw: PairMatches::%s[%zu] is (%g, %g); coordinates must be finite and at most %g px",
-                                                  name, i, points[i].x, points[i].y, FARTHEST));
+            CV_Error(Error::StsOutOfRange,
+                     format("gcpw: PairMatches::%s[%zu] is (%g, %g); coordinates must be finite and at most %g px",
+                            name, i, points[i].x, points[i].y, FARTHEST));
 }
 
 void checkLines(const std::vector<Vec4d>& lines, const char* name)
@@ -76,9 +79,10 @@ void checkLines(const std::vector<Vec4d>& lines, const char* name)
     {
         const Vec4d& line = lines[i];
         if (!std::all_of(line.val, line.val + 4, isNear))
-            CV_Error(Error::StsOutOfRange,
-                     format("gcpw: PairMatches::%s[%zu] is (%g, %g, %g, %g); coordinates must be finite and at most %g px", name, i, line[0],
-                            line[1], line[2], line[3], FARTHEST));
+            CV_Error(
+                Error::StsOutOfRange,
+                format("gcpw: PairMatches::%s[%zu] is (%g, %g, %g, %g); coordinates must be finite and at most %g px",
+                       name, i, line[0], line[1], line[2], line[3], FARTHEST));
         if (line[0] == line[2] && line[1] == line[3])
             CV_Error(Error::StsBadArg, format("gcpw: PairMatches::%s[%zu] has no length; leave it out", name, i));
     }
@@ -101,8 +105,9 @@ void checkMatches(const PairMatches& matches, Size source, Size target)
     checkLines(matches.target_lines, "target_lines");
     for (size_t i = 0; i < matches.line_weights.size(); ++i)
         if (!(matches.line_weights[i] > 0) || !(matches.line_weights[i] <= HEAVIEST))
-            CV_Error(Error::StsOutOfRange, format("gcpw: PairMatches::line_weights[%zu] is %g; it must be greater than 0 and at most %g", i,
-                                                  matches.line_weights[i], HEAVIEST));
+            CV_Error(Error::StsOutOfRange,
+                     format("gcpw: PairMatches::line_weights[%zu] is %g; it must be greater than 0 and at most %g", i,
+                            matches.line_weights[i], HEAVIEST));
 }
 
 } // namespace gcpw

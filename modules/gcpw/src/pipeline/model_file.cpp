@@ -15,7 +15,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-const int FORMAT = 1; ///< raised when a reader of the older kind would misread the file
+const int FORMAT = 1;               ///< raised when a reader of the older kind would misread the file
 const char* const END = "complete"; ///< the last thing in a file
 const char* const NO_ROOM = ": the disk is full or the file is too large";
 
@@ -140,8 +140,10 @@ void writeFile(const std::string& name, const std::string& kind, const Write& wr
     {
         // A link stays one: what it leads to is replaced.
         const fs::path target = fs::exists(before) ? fs::canonical(name, failed) : fs::path(name);
-        reason = writeBeside(target, [&](const fs::path& partial)
-                             { return compressed ? writeCompressed(partial.string(), kind, write) : writeText(partial, text); });
+        reason = writeBeside(target,
+                             [&](const fs::path& partial) {
+            return compressed ? writeCompressed(partial.string(), kind, write) : writeText(partial, text);
+        });
     }
     else if (compressed || fs::is_directory(before))
         reason = ": it is no regular file";
@@ -162,7 +164,8 @@ FileStorage openForReading(const std::string& path, const std::string& kind)
     file["kind"] >> found;
     file["format"] >> format;
     if (found != kind || format != FORMAT)
-        CV_Error(Error::StsParseError, "gcpw: " + path + " is not a file of kind " + kind + ", format " + std::to_string(FORMAT));
+        CV_Error(Error::StsParseError,
+                 "gcpw: " + path + " is not a file of kind " + kind + ", format " + std::to_string(FORMAT));
     return file;
 }
 
@@ -177,8 +180,9 @@ Mat readMatrix(const FileNode& node, const char* name, int rows, int cols, const
     const std::string element = static_cast<std::string>(node["dt"]);
     if (found_rows < 0 || found_rows > rows || found_cols < 0 || found_cols > cols ||
         std::find(elements.begin(), elements.end(), element) == elements.end())
-        CV_Error(Error::StsParseError, format("%s is a matrix of %d x %d elements of kind '%s'; at most %d x %d of kind '%s' are read", name,
-                                              found_rows, found_cols, element.c_str(), rows, cols, elements.front().c_str()));
+        CV_Error(Error::StsParseError,
+                 format("%s is a matrix of %d x %d elements of kind '%s'; at most %d x %d of kind '%s' are read", name,
+                        found_rows, found_cols, element.c_str(), rows, cols, elements.front().c_str()));
     Mat matrix;
     node >> matrix;
     return matrix;

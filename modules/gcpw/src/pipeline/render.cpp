@@ -27,7 +27,7 @@ Rect canvasRect(const MeshGrid& mesh, const FrameScale& scale, Size target)
     // In double: a mesh that ran away is wider than an int can say.
     if (!(roi.width <= MAX_SIDE && roi.height <= MAX_SIDE && roi.width * roi.height <= MAX_AREA))
         CV_Error(Error::StsOutOfRange,
-                 format("gcpw: the canvas would be %.0f x %.0f px, more than %d px a side or %.0f Mpx; scale the photographs down",
+                 format("gcpw: the canvas would be %.10g x %.10g px, more than %d px a side or %.0f Mpx; scale the photographs down",
                         roi.width, roi.height, MAX_SIDE, MAX_AREA / 1e6));
     return roi;
 }
