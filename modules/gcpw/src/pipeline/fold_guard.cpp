@@ -59,6 +59,7 @@ void FoldGuard::shorten(const MeshGrid& mesh, std::vector<Point2d>& step) const
 
 MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step, double share)
 {
+    CV_DbgAssert(step.size() == mesh.vertices().size());
     MeshGrid next = mesh;
     for (size_t i = 0; i < step.size(); ++i)
         next.vertices()[i] += share * step[i];

@@ -71,11 +71,14 @@ class GcpwCompensator;
 class CV_EXPORTS GcpwWarper : public WarperCreator
 {
 public:
+    /// @throws cv::Exception if there is no base, or see Rig::check()
     explicit GcpwWarper(const Ptr<WarperCreator>& base, const Rig& rig = Rig());
 
     Ptr<cv::detail::RotationWarper> create(float scale) const CV_OVERRIDE;
 
     const Rig& rig() const;
+
+    /// @throws cv::Exception see Rig::check(); the old rig is kept then
     void setRig(const Rig& rig);
     Ptr<WarperCreator> base() const;
 
