@@ -45,8 +45,10 @@ cv::Ptr<cv::Feature2D> finderOf(const std::string& name)
     const double contrast = 0.007;
     return choose<cv::Feature2D>("features", name,
                                  {{"sift", [=] { return cv::Ptr<cv::Feature2D>(cv::SIFT::create(most, 3, contrast)); }},
-                                  {"orb", [=] { return cv::Ptr<cv::Feature2D>(cv::ORB::create(most)); }},
-                                  {"akaze", [] { return cv::Ptr<cv::Feature2D>(cv::AKAZE::create()); }}});
+#if CV_VERSION_MAJOR < 5 // there AKAZE is in contrib's xfeatures2d
+                                  {"akaze", [] { return cv::Ptr<cv::Feature2D>(cv::AKAZE::create()); }},
+#endif
+                                  {"orb", [=] { return cv::Ptr<cv::Feature2D>(cv::ORB::create(most)); }}});
 }
 
 cv::Ptr<cv::WarperCreator> warperOf(const std::string& name)

@@ -4,13 +4,25 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(gcpw_opencv_version 4.5.1)
-set(gcpw_opencv_modules core imgproc features2d calib3d video stitching ximgproc)
-find_package(OpenCV ${gcpw_opencv_version} REQUIRED COMPONENTS ${gcpw_opencv_modules})
+# A package of OpenCV 5 says it is not compatible with 4.5.1, so the version is looked at here.
+find_package(OpenCV REQUIRED COMPONENTS core)
+if(OpenCV_VERSION VERSION_LESS gcpw_opencv_version)
+    message(FATAL_ERROR "OpenCV ${gcpw_opencv_version} or newer is needed; ${OpenCV_DIR} has ${OpenCV_VERSION}")
+endif()
+# OpenCV 5 renamed features2d, and split calib3d.
+set(gcpw_features features2d)
+set(gcpw_homography calib3d)
+if(OpenCV_VERSION VERSION_GREATER_EQUAL 5)
+    set(gcpw_features features)
+    set(gcpw_homography geometry)
+endif()
+set(gcpw_opencv_modules core imgproc ${gcpw_features} ${gcpw_homography} stitching ximgproc)
+find_package(OpenCV REQUIRED COMPONENTS ${gcpw_opencv_modules})
 find_package(Eigen3 3.4 REQUIRED CONFIG)
 get_target_property(gcpw_eigen_dirs Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 
-set(gcpw_public_libs opencv_core opencv_imgproc opencv_features2d opencv_stitching)
-set(gcpw_private_libs opencv_calib3d opencv_video opencv_ximgproc)
+set(gcpw_public_libs opencv_core opencv_imgproc opencv_${gcpw_features} opencv_stitching)
+set(gcpw_private_libs opencv_${gcpw_homography} opencv_ximgproc)
 
 # Compiled once. The library is made of these objects, and so are the tests, which look at private classes as well.
 file(GLOB_RECURSE gcpw_sources CONFIGURE_DEPENDS src/*.cpp)

@@ -2,7 +2,7 @@
 #include "canvas_views.hpp"
 
 #include <cmath>
-#include <opencv2/features2d.hpp>
+#include "matching/features_header.hpp"
 #include "scene.hpp"
 
 namespace opencv_test

@@ -2,9 +2,9 @@
 #include "perf_precomp.hpp"
 
 #include <map>
-#include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 #include "geometry/homography.hpp"
+#include "matching/features_header.hpp"
 #include "matching/keypoints.hpp"
 #include "pair_problem.hpp"
 #include "thread_count.hpp"

@@ -7,6 +7,10 @@
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+// boundingRect(), part of imgproc before OpenCV 5.
+#if CV_VERSION_MAJOR >= 5
+#include <opencv2/geometry.hpp>
+#endif
 
 #include <opencv2/gcpw.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 #include <vector>
-#include <opencv2/features2d.hpp>
+#include "matching/features_header.hpp"
 #include "opencv2/gcpw/aligner.hpp"
 
 namespace cv

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <opencv2/features2d.hpp>
+#include "matching/features_header.hpp"
 
 namespace cv
 {

@@ -1,8 +1,14 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "matching/rough_alignment.hpp"
 
-#include <opencv2/calib3d.hpp>
 #include "geometry/homography.hpp"
+
+// OpenCV 5 split calib3d; findHomography() is in the part called geometry.
+#if CV_VERSION_MAJOR >= 5
+#include <opencv2/geometry.hpp>
+#else
+#include <opencv2/calib3d.hpp>
+#endif
 
 namespace cv
 {
