@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+// DIST_L2 of distanceTransform(), part of imgproc before OpenCV 5.
+#if CV_VERSION_MAJOR >= 5
+#include <opencv2/geometry.hpp>
+#endif
 
 namespace cv
 {
