@@ -28,7 +28,8 @@ it is what INTER_NEAREST and BORDER_CONSTANT come with. An R that the rig does n
 
 The mesh moves the base warper's canvas, so it is the same picture at every scale. An image that straddles the seam of a
 360-degree panorama keeps the base warper's full-width rectangle.
-cv::detail::AffineWarper is replaced by the affine map it stands for: OpenCV's inverts it by transposing. */
+cv::detail::AffineWarper is replaced by the affine map it stands for: OpenCV's inverts it by transposing.
+Not for two threads at once, as OpenCV's own warpers: it keeps the maps of the last image and counts calls. */
 class CV_EXPORTS GcpwWarper : public cv::detail::RotationWarper
 {
 public:
