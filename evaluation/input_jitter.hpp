@@ -28,8 +28,8 @@ Both photographs of a pair are brought to the same input.
 @param photograph CV_8UC3, 3 x 3 px or more
 @param input 1 to INPUTS
 @return CV_8UC3; input 1 of a small photograph shares its pixels, input 2 those of input 1
-@throws cv::Exception that names the value if the photograph is of another type or smaller, megapix is not above 0 or leaves less than 3 x 3 px, or
-there is no such input */
+@throws cv::Exception that names the value if the photograph is of another type or smaller, megapix is not above 0 or leaves
+less than 3 x 3 px, or there is no such input */
 cv::Mat jitteredInput(const cv::Mat& photograph, double megapix, int input);
 
 /** @brief The same of an image file.

@@ -36,7 +36,8 @@ double median(const Scores& scores)
 
 double spread(const Scores& scores)
 {
-    if (scores.empty() || !std::all_of(scores.begin(), scores.end(), [](double score) { return std::isfinite(score) && score > 0; }))
+    const auto isUsable = [](double score) { return std::isfinite(score) && score > 0; };
+    if (scores.empty() || !std::all_of(scores.begin(), scores.end(), isUsable))
         return NONE;
     const auto ends = std::minmax_element(scores.begin(), scores.end());
     return *ends.second / *ends.first;

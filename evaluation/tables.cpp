@@ -164,8 +164,10 @@ std::string pairTable(const Runs& runs, Measure measure, const char* form)
     if (complete.empty())
         return table + "\n";
     for (const bool geometric : {false, true})
-        table += lineOf((geometric ? "geometric mean" : "mean") + cv::format(" of %zu", complete.size()),
-                        rowOf(runs, [&](const PairMethod& method) { return runs.mean(complete, method, 0, measure, geometric); }), form);
+    {
+        const auto meanOf = [&](const PairMethod& method) { return runs.mean(complete, method, 0, measure, geometric); };
+        table += lineOf((geometric ? "geometric mean" : "mean") + cv::format(" of %zu", complete.size()), rowOf(runs, meanOf), form);
+    }
     return table + "\n";
 }
 
@@ -208,7 +210,8 @@ std::string placeOfGcpw(const Runs& runs)
         {
             const Cell other = runs.cell(pair, *method, 0, &RunResult::zncc);
             if (isAhead(other.scores, own.scores))
-                leaders += cv::format("%s%s (by %.0f %%)", leaders.empty() ? "" : ", ", method->label, 100 * (own.value / other.value - 1));
+                leaders += (leaders.empty() ? "" : ", ") +
+                           cv::format("%s (by %.0f %%)", method->label, 100 * (own.value / other.value - 1));
             else if (!isGcpw(method) && !isAhead(own.scores, other.scores))
                 level += (level.empty() ? "" : ", ") + std::string(method->label);
         }
@@ -237,12 +240,15 @@ std::string costTable(const Runs& runs)
         for (const std::string& pair : runs.pairs())
             for (int degree : runs.degrees())
                 for (int input = 1; input <= runs.inputs(); ++input)
-                    if (const RunResult* result = degree == 0 || method->looks_at_pixels ? runs.find(pair, *method, degree, input) : nullptr)
+                {
+                    const bool own = degree == 0 || method->looks_at_pixels; // else it is the row of degree 0
+                    if (const RunResult* result = own ? runs.find(pair, *method, degree, input) : nullptr)
                     {
                         folds += result->folds;
                         folded_runs += result->folds > 0 ? 1 : 0;
                         times.push_back(result->align_ms);
                     }
+                }
         std::sort(times.begin(), times.end());
         table += cv::format("| %s | %zu | %d | %d | %.0f | %.0f |\n", method->label, times.size(), folds, folded_runs,
                             times.empty() ? 0.0 : times[times.size() / 2], times.empty() ? 0.0 : times.back());

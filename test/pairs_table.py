@@ -101,7 +101,8 @@ def main():
             cells, milliseconds = [], math.nan
             for method in methods:
                 results = [future.result() for future in rows[pair][method]]
-                failed = [f"{pair} {method}, input {number}: {result}" for number, result in zip(numbers, results) if isinstance(result, str)]
+                failed = [f"{pair} {method}, input {number}: {result}"
+                          for number, result in zip(numbers, results) if isinstance(result, str)]
                 failures += failed
                 folds += sum(result[1] for result in results if not isinstance(result, str))
                 if failed:
