@@ -31,6 +31,11 @@ inline void expectRefused(const std::function<void()>& call, const std::string& 
     EXPECT_NE(refusal.find(part), std::string::npos) << "'" << refusal << "' does not speak of '" << part << "'";
 }
 
+inline void expectTaken(const std::function<void()>& call)
+{
+    EXPECT_EQ(refusalOf(call), "");
+}
+
 } // namespace opencv_test
 
 #endif
