@@ -31,7 +31,10 @@ struct CV_EXPORTS_W_SIMPLE Params
 {
     CV_WRAP Params() {} // NOLINT(modernize-use-equals-default): as OpenCV's binding generator reads it
 
-    /// The constants of the paper and none of the additions: exactly its section 2.
+    /** @brief The constants of its section 2, and iterations until the mesh is stable.
+
+    All additions that a member can switch off are off. What stays: matches are filtered, no quad folds (minQuadArea), and the
+    result is compared with the rough alignment. */
     CV_WRAP static Params paper();
 
     /// Throws cv::Exception (StsOutOfRange) that names the first member out of its range, its value and the range.
