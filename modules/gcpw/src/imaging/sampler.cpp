@@ -61,5 +61,25 @@ GCPW_WIDE_VECTORS bool samplePixel(const PyramidLevel& level, Point2d rest_px, P
     return true;
 }
 
+bool sampleLuma(const PyramidLevel& level, Point2d rest_px, double& luma)
+{
+    const double x = rest_px.x / level.scale;
+    const double y = rest_px.y / level.scale;
+    // Written so that NaN is refused too.
+    if (!(x >= 0 && y >= 0 && x < level.pixels.cols - 1 && y < level.pixels.rows - 1))
+        return false;
+    const int col = static_cast<int>(x);
+    const int row = static_cast<int>(y);
+    const double u = x - col;
+    const double v = y - row;
+    const float* top = level.at(col, row);
+    const float* bottom = level.at(col, row + 1);
+    const double w[4] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+    if (w[0] * top[3] + w[1] * top[7] + w[2] * bottom[3] + w[3] * bottom[7] < INSIDE)
+        return false;
+    luma = w[0] * top[0] + w[1] * top[4] + w[2] * bottom[0] + w[3] * bottom[4];
+    return true;
+}
+
 } // namespace gcpw
 } // namespace cv

@@ -23,7 +23,7 @@ const double FIRST_MATCH_SCALE = 32; ///< px: wide enough to follow strong paral
 const double MATCH_NARROWING = 0.5;  ///< of the matches' scale from step to step
 const int MATCH_ITERATIONS = 3;      ///< at the final scale, where pixels are to follow
 const int ANCHORED_ITERATIONS = 5;   ///< the anchors lead, the rest is in place already
-const double STRICTLY_BETTER = 1.02; ///< the start is kept only if the result correlates this much worse
+const int COLOR_PASSES = 3;          ///< of colours for meshes at rest: residuals are weighted anew by what they then are
 
 std::vector<Lattice> latticesOf(const Problem& problem)
 {
@@ -73,26 +73,21 @@ Optimizer::Optimizer(const Problem& problem, const Recipe& recipe, const Params&
     }
 }
 
-TermEnergies Optimizer::pour(LevelTerms& terms, const std::vector<ImageState>& states)
+Optimizer::Poured Optimizer::pour(LevelTerms& terms, const std::vector<ImageState>& states, bool compare)
 {
     system_.setZero();
     system_.addDamping(DAMPING);
-    TermEnergies energies;
-    terms.pour(states, system_, energies);
+    Poured poured;
+    const PhotometricTerm::Energy pixels = terms.pour(states, compare, system_, poured.terms);
     for (size_t i = 0; i < states.size(); ++i)
         if (!problem_.images[i].held)
-            energies.similarity += similarity_[i].linearize(states[i].mesh, system_);
+            poured.terms.similarity += similarity_[i].linearize(states[i].mesh, system_);
     if (recipe_.colors)
-        energies.color = system_.colors().regularEnergy(colorsOf(states));
-    return energies;
-}
-
-double Optimizer::similarityEnergy(const std::vector<ImageState>& states) const
-{
-    double energy = 0;
-    for (size_t i = 0; i < states.size(); ++i)
-        energy += problem_.images[i].held ? 0 : similarity_[i].energy(states[i].mesh);
-    return energy;
+        poured.terms.color = system_.colors().regularEnergy(colorsOf(states));
+    const double others = poured.terms.total() - poured.terms.photometric;
+    poured.here = others + pixels.here;
+    poured.fixed = others + pixels.fixed;
+    return poured;
 }
 
 SolveStatus Optimizer::safeStep(const std::vector<ImageState>& states, MeshStep& step)
@@ -115,7 +110,7 @@ SolveStatus Optimizer::safeStep(const std::vector<ImageState>& states, MeshStep&
                 guards_[i].shorten(states[i].mesh, step[i]);
             else
                 for (int cell : cells)
-                    similarity_[i].stiffen(cell, STIFFEN, states[i].mesh, system_);
+                    similarity_[i].stiffen(cell, STIFFEN, system_);
         }
         if (!folds || attempt == MAX_STIFFENINGS)
             return status;
@@ -127,6 +122,32 @@ bool Optimizer::tick()
     return !progress_ || progress_(std::min(1.0, static_cast<double>(ticks_++) / expected_ticks_));
 }
 
+bool Optimizer::folds(const std::vector<ImageState>& states, const MeshStep& step, double share) const
+{
+    for (size_t i = 0; i < states.size(); ++i)
+        if (!problem_.images[i].held && !guards_[i].violated(states[i].mesh, step[i], share).empty())
+            return true;
+    return false;
+}
+
+/// A share of a step, and how far it moves a vertex.
+double Optimizer::take(const std::vector<ImageState>& states, const MeshStep& step, const std::vector<ColorGrid>& colors,
+                       double share, std::vector<ImageState>& next) const
+{
+    next = states;
+    double motion = 0;
+    for (size_t i = 0; i < states.size(); ++i)
+    {
+        if (problem_.images[i].held)
+            continue;
+        next[i].mesh = moved(states[i].mesh, step[i], share);
+        motion = std::max(motion, maxVertexDistance(next[i].mesh, states[i].mesh));
+        if (recipe_.colors)
+            next[i].color = mixed(states[i].color, colors[i], share);
+    }
+    return motion;
+}
+
 Optimizer::LevelEnd Optimizer::runLevel(LevelTerms& terms, std::vector<ImageState>& states, int max_iterations,
                                         LevelReport& report)
 {
@@ -134,46 +155,55 @@ Optimizer::LevelEnd Optimizer::runLevel(LevelTerms& terms, std::vector<ImageStat
     report.scale = terms.scale();
     for (SimilarityTerm& term : similarity_)
         term.relax();
-    TermEnergies now = pour(terms, states);
-    report.start = report.end = now;
-    while (report.iterations < max_iterations && !report.converged)
+    Poured now = pour(terms, states, false);
+    terms.fix(states);
+    report.start = report.end = now.terms;
+    while (report.iterations < max_iterations)
     {
+        report.stop = StopReason::CANCELLED;
         if (!tick())
             return LevelEnd::Cancelled;
+        report.stop = StopReason::SINGULAR;
         MeshStep step;
+        std::vector<ColorGrid> colors = colorsOf(states);
+        // NotConverged is an answer here: conjugate gradients from zero lower the energy with every iteration, and the line
+        // search has the last word.
         if (safeStep(states, step) == SolveStatus::NotPositiveDefinite)
             return LevelEnd::Singular;
-        std::vector<ColorGrid> colors = colorsOf(states);
-        if (recipe_.colors && !terms.pixels().empty())
-            system_.solveColorsAfter(step, colors);
-        // Stiffened quads have changed the similarity energy of the present state.
-        const double before = now.total() - now.similarity + similarityEnergy(states);
+        if (recipe_.colors && !terms.pixels().empty() &&
+            system_.solveColorsAfter(step, colors) == SolveStatus::NotPositiveDefinite)
+            return LevelEnd::Singular;
+        ++report.iterations;
+        const double before = now.here;
         bool accepted = false;
         double motion = 0;
         double share = 1;
         for (int halving = 0; halving <= MAX_HALVINGS && !accepted; ++halving, share *= 0.5)
         {
-            std::vector<ImageState> next = states;
-            motion = 0;
-            for (size_t i = 0; i < states.size(); ++i)
-            {
-                if (problem_.images[i].held)
-                    continue;
-                next[i].mesh = moved(states[i].mesh, step[i], share);
-                motion = std::max(motion, maxVertexDistance(next[i].mesh, states[i].mesh));
-                if (recipe_.colors)
-                    next[i].color = mixed(states[i].color, colors[i], share);
-            }
-            now = pour(terms, next);
-            accepted = now.total() <= before;
+            if (share < 1 && folds(states, step, share)) // safeStep() has looked at the whole step
+                continue;
+            std::vector<ImageState> next;
+            motion = take(states, step, colors, share, next);
+            now = pour(terms, next, true);
+            accepted = now.fixed <= before;
             if (accepted)
                 states.swap(next);
         }
-        ++report.iterations;
-        if (accepted)
-            report.end = now;
-        report.converged = !accepted || motion < params_.stopMotion * terms.scale() ||
-                           before - now.total() < params_.stopGain * before;
+        report.stop = StopReason::NO_DESCENT;
+        if (!accepted)
+        {
+            system_.setZero(); // it was poured where the meshes are not
+            return LevelEnd::Done;
+        }
+        terms.fix(states);
+        report.end = now.terms;
+        report.stop = StopReason::MESH_STABLE;
+        if (motion < params_.stopMotion * terms.scale())
+            return LevelEnd::Done;
+        report.stop = StopReason::ENERGY_STABLE;
+        if (before - now.fixed < params_.stopGain * before)
+            return LevelEnd::Done;
+        report.stop = StopReason::ITERATION_LIMIT;
     }
     return LevelEnd::Done;
 }
@@ -228,14 +258,8 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
     for (size_t level = levels; level-- > 0;)
     {
         terms.enterLevel(static_cast<int>(level));
-        if (recipe_.colors)
-        {
-            color_rest_.pull(compareColors(terms.pixels(), states), system_.colors());
-            std::vector<ColorGrid> colors = colorsOf(states);
-            pour(terms, states);
-            system_.solveColors(colors);
-            setColors(colors, states);
-        }
+        if (initColors(terms, states) == SolveStatus::NotPositiveDefinite)
+            return OptimizeStatus::PixelsSingular;
         const LevelEnd end = run_one(params_.maxIterations);
         if (end != LevelEnd::Done)
             return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::PixelsSingular;
@@ -246,32 +270,67 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
         if (end != LevelEnd::Done)
             return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::PixelsSingular;
     }
-    if (params_.anchorWeight > 0 && overallMiss(terms.pixels(), states) > STRICTLY_BETTER * overallMiss(terms.pixels(), start))
-        for (size_t i = 0; i < states.size(); ++i)
-            states[i].mesh = start[i].mesh;
-    if (recipe_.colors && problem_.isChain() && params_.balanceWeight > 0)
-        setColors(balancedColors(terms.pixels(), states, params_), states);
     return OptimizeStatus::Done;
+}
+
+/// NotConverged is an answer: the colours are then better than before.
+SolveStatus Optimizer::initColors(LevelTerms& terms, std::vector<ImageState>& states)
+{
+    if (!recipe_.colors)
+        return SolveStatus::Solved;
+    color_rest_.pull(compareColors(terms.pixels(), states), system_.colors());
+    std::vector<ColorGrid> colors = colorsOf(states);
+    pour(terms, states, false);
+    const SolveStatus status = system_.solveColors(colors);
+    if (status != SolveStatus::NotPositiveDefinite)
+        setColors(colors, states);
+    return status;
+}
+
+OptimizeStatus Optimizer::refine(LevelTerms& terms, std::vector<ImageState>& states, std::vector<LevelReport>& report)
+{
+    const std::vector<ImageState> rough = states;
+    std::vector<ImageState> matched = states;
+    LevelReport match_report;
+    const LevelEnd end = fitMatches(terms, matched, match_report);
+    if (end != LevelEnd::Done)
+        return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::MatchesSingular;
+    report.push_back(match_report);
+    states = matched;
+    OptimizeStatus status = recipe_.pixels ? runPyramid(terms, states, report) : OptimizeStatus::Done;
+    if (status == OptimizeStatus::Cancelled)
+        return status;
+    // Without anchors pixels have the last word over matches; over the rough alignment nothing has.
+    choice_ = bestCandidate(problem_, states, params_.anchorWeight > 0 ? matched : states, rough);
+    const Candidate best = choice_.best;
+    if (best == Candidate::END)
+        return status;
+    // The colours went with the meshes that are given up.
+    states = best == Candidate::MATCHES ? matched : rough;
+    if (recipe_.pixels)
+        terms.enterLevel(0);
+    for (int pass = 0; pass < COLOR_PASSES; ++pass)
+        if (initColors(terms, states) == SolveStatus::NotPositiveDefinite)
+            break; // the colours of the pass before, or the photographs' own
+    return best == Candidate::MATCHES ? OptimizeStatus::MatchesKept : OptimizeStatus::RoughKept;
 }
 
 OptimizeStatus Optimizer::run(std::vector<ImageState>& states, std::vector<LevelReport>& report,
                               const StepCallback& progress)
 {
     report.clear();
+    choice_ = Choice();
     progress_ = progress;
     ticks_ = 0;
     expected_ticks_ = params_.maxIterations * (recipe_.pixels ? params_.pyramidLevels + 2 : 1);
     if (!recipe_.points || problem_.pairs.empty())
         return OptimizeStatus::Done;
     LevelTerms terms(problem_, recipe_, params_);
-    std::vector<ImageState> fitted = states;
-    LevelReport match_report;
-    const LevelEnd end = fitMatches(terms, fitted, match_report);
-    if (end != LevelEnd::Done)
-        return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::MatchesSingular;
-    report.push_back(match_report);
-    states.swap(fitted);
-    return recipe_.pixels ? runPyramid(terms, states, report) : OptimizeStatus::Done;
+    const OptimizeStatus status = refine(terms, states, report);
+    const bool shown = status != OptimizeStatus::Cancelled && status != OptimizeStatus::MatchesSingular;
+    if (shown && recipe_.colors && problem_.isChain() && params_.balanceWeight > 0)
+        setColors(balancedColors(terms.pixels(), states, params_), states);
+    return status;
 }
 
 } // namespace gcpw

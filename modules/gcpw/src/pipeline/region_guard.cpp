@@ -1,9 +1,6 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "pipeline/region_guard.hpp"
 
-#include <cmath>
-#include <opencv2/core/utility.hpp>
-
 namespace cv
 {
 namespace gcpw
@@ -46,25 +43,6 @@ std::vector<int> worseQuads(const PhotometricTerm& term, const std::vector<Image
             cells.push_back(cell);
     }
     return cells;
-}
-
-double overallMiss(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& images)
-{
-    std::vector<std::vector<QuadMiss>> misses(terms.size());
-    parallel_for_(Range(0, static_cast<int>(terms.size())), [&](const Range& range)
-    {
-        for (int k = range.start; k < range.end; ++k)
-            misses[k] = terms[k].correlate(images);
-    });
-    double sum = 0;
-    double samples = 0;
-    for (const std::vector<QuadMiss>& quads : misses)
-        for (const QuadMiss& miss : quads)
-        {
-            sum += miss.sum;
-            samples += miss.samples;
-        }
-    return samples > 0 ? std::sqrt(sum / samples) : 0;
 }
 
 } // namespace gcpw

@@ -20,9 +20,6 @@ flatter: what moves or changes between the photographs pulls the photometric ter
 std::vector<int> worseQuads(const PhotometricTerm& term, const std::vector<ImageState>& images,
                             const std::vector<ImageState>& other, double ratio);
 
-/// RMS of one minus correlation over all terms; lower is better, 0 where nothing has texture.
-double overallMiss(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& images);
-
 } // namespace gcpw
 } // namespace cv
 

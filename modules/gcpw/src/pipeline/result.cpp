@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
-#include "pipeline/region_guard.hpp"
+#include "pipeline/decorrelation.hpp"
 
 namespace cv
 {
@@ -43,19 +42,6 @@ void measure(const Problem& problem, const std::vector<ImageState>& states, Repo
     }
 }
 
-void correlate(const Problem& problem, const ProblemPair& pair, const Params& params, const std::vector<ImageState>& rough,
-               const std::vector<ImageState>& states, PairReport& report)
-{
-    const ProblemImage& a = problem.images[pair.a];
-    const ProblemImage& b = problem.images[pair.b];
-    PhotometricTerm::Options options;
-    options.step = params.sampleStep;
-    const std::vector<PhotometricTerm> term(
-        1, PhotometricTerm(pair.a, pair.b, a.pyramid[0], b.pyramid[0], a.rough.lattice(), options, pair.shift_b));
-    report.miss_before = 100 * overallMiss(term, rough);
-    report.miss_after = 100 * overallMiss(term, states);
-}
-
 } // namespace
 
 std::vector<ImageState> roughStates(const Problem& problem)
@@ -78,6 +64,13 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
     {
     case OptimizeStatus::Done:
         break;
+    case OptimizeStatus::MatchesKept:
+        report.message = "pixels made the alignment worse; the meshes of the matches alone were kept";
+        break;
+    case OptimizeStatus::RoughKept:
+        report.status = Status::ROUGH;
+        report.message = "the refinement lines the images up no better than the rough alignment, which was kept";
+        break;
     case OptimizeStatus::PixelsSingular:
         report.message = "a level with pixels had no answer; its last good state was kept";
         break;
@@ -96,19 +89,20 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
         CV_LOG_INFO(nullptr, "gcpw: " << report.message);
     measure(problem, states, report);
     report.pairs.resize(problem.pairs.size());
-    parallel_for_(Range(0, static_cast<int>(problem.pairs.size())), [&](const Range& range)
+    const bool chosen = !optimizer.choice().before.empty();
+    const std::vector<Decorrelation> before = chosen ? optimizer.choice().before : decorrelations(problem, rough);
+    const std::vector<Decorrelation> after = chosen ? optimizer.choice().after : before;
+    for (size_t k = 0; k < problem.pairs.size(); ++k)
     {
-        for (int k = range.start; k < range.end; ++k)
-        {
-            const ProblemPair& pair = problem.pairs[k];
-            PairReport& item = report.pairs[k];
-            item.a = pair.a;
-            item.b = pair.b;
-            item.points = static_cast<int>(pair.matches.points.size());
-            item.lines = static_cast<int>(pair.matches.lines.size());
-            correlate(problem, pair, params, rough, states, item);
-        }
-    });
+        const ProblemPair& pair = problem.pairs[k];
+        PairReport& item = report.pairs[k];
+        item.a = pair.a;
+        item.b = pair.b;
+        item.points = static_cast<int>(pair.matches.points.size());
+        item.lines = static_cast<int>(pair.matches.lines.size());
+        item.miss_before = 100 * before[k].rms();
+        item.miss_after = 100 * after[k].rms();
+    }
 }
 
 Alignment::Image toImage(const MeshGrid& rough, const ImageState& state, Size full_size)

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include "terms/sample_sums.hpp"
 
 namespace cv
 {
@@ -75,76 +74,8 @@ PhotometricTerm::PhotometricTerm(int source_image, int target_image, const Pyram
     }
 }
 
-/// Finds the target's pixel under a canvas point, with a short cut for a target at rest: then no quad is searched.
-class PhotometricTerm::Target
-{
-public:
-    /// @param want_cell whether point() and the colour of its quad are needed
-    Target(const ImageState& state, Point2d shift, bool want_cell)
-        : state_(state), shift_(shift), at_rest_(state.mesh.isTranslation(origin_)),
-          want_cell_(want_cell || !state.color.isIdentity()), bounds_(state.mesh.bounds())
-    {
-        point_.cell = 0;
-        bounds_ += shift;
-    }
-
-    /// Whether a quad of the source can meet the target at all.
-    bool near(const Point2d (&corner)[4]) const
-    {
-        const auto x = std::minmax({corner[0].x, corner[1].x, corner[2].x, corner[3].x});
-        const auto y = std::minmax({corner[0].y, corner[1].y, corner[2].y, corner[3].y});
-        return x.second >= bounds_.x && x.first <= bounds_.br().x && y.second >= bounds_.y && y.first <= bounds_.br().y;
-    }
-
-    bool find(Point2d canvas)
-    {
-        if (at_rest_)
-        {
-            rest_ = canvas - shift_ - origin_;
-            if (!state_.mesh.lattice().contains(rest_))
-                return false;
-            if (want_cell_)
-                point_ = state_.mesh.lattice().locate(rest_);
-            return true;
-        }
-        // A walk that ends beside the mesh is slow, and pixels beyond the box are many.
-        if (!bounds_.contains(canvas) || !state_.mesh.invert(canvas - shift_, hint_, point_))
-            return false;
-        rest_ = state_.mesh.lattice().restPoint(point_);
-        inverse_ = state_.mesh.jacobian(point_).inv();
-        return true;
-    }
-    Point2d rest() const { return rest_; }
-    const CellPoint& point() const { return point_; }
-    const ColorGrid::Quad& color() const { return state_.color.quad(point_.cell); }
-
-    /// d / d canvas of the corrected target, from its gradient in the rest frame.
-    void gradient(const PixelSample& pixel, double* gx, double* gy) const
-    {
-        for (int c = 0; c < 3; ++c)
-        {
-            const double dx = color()[c].gain * pixel.dx[c];
-            const double dy = color()[c].gain * pixel.dy[c];
-            gx[c] = at_rest_ ? dx : dx * inverse_(0, 0) + dy * inverse_(1, 0);
-            gy[c] = at_rest_ ? dy : dx * inverse_(0, 1) + dy * inverse_(1, 1);
-        }
-    }
-
-private:
-    const ImageState& state_;
-    Point2d shift_;
-    Point2d origin_;
-    bool at_rest_;
-    bool want_cell_;
-    Rect2d bounds_; ///< of the target's mesh on the canvas
-    int hint_ = -1;
-    Point2d rest_;
-    CellPoint point_;
-    Matx22d inverse_ = Matx22d::eye();
-};
-
 template <typename Visit>
-void PhotometricTerm::forEachInside(const std::vector<ImageState>& images, int cell, Target& target, Visit visit) const
+void PhotometricTerm::forEachInside(const std::vector<ImageState>& images, int cell, TargetLookup& target, Visit visit) const
 {
     const MeshGrid& mesh = images[source_image_].mesh;
     const ColorGrid::Quad& mine = images[source_image_].color.quad(cell);
@@ -175,17 +106,38 @@ void PhotometricTerm::forEachInside(const std::vector<ImageState>& images, int c
     }
 }
 
-double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
-                                  Range cells, ResidualSink& sink) const
+namespace
 {
-    double total = 0;
-    Target target(images[target_image_], target_shift_, target_moves);
+
+/// Squared residual of a sample as other colours would have it.
+double squaredResidual(const float* value, const PixelSample& pixel, const ColorGrid::Quad& mine, const ColorGrid::Quad& other)
+{
+    double squared = 0;
+    for (int c = 0; c < CHANNELS; ++c)
+    {
+        const double residual = mine[c].gain * value[c] + mine[c].bias - other[c].gain * pixel.value[c] - other[c].bias;
+        squared += residual * residual;
+    }
+    return squared;
+}
+
+} // namespace
+
+PhotometricTerm::Energy PhotometricTerm::linearize(const std::vector<ImageState>& images, bool target_moves,
+                                                   const RobustLoss& loss, Range cells, ResidualSink& sink,
+                                                   const Fixed* before, std::vector<ColorTrust>& weights) const
+{
+    Energy total;
+    TargetLookup target(images[target_image_], target_shift_, target_moves);
     std::vector<std::pair<int, PartnerSums>> partners; // target cell, sums; a handful at most
     for (int cell = cells.start; cell < cells.end; ++cell)
     {
         SampleSums sums;
         partners.clear();
         double energy = 0;
+        double former_energy = 0; // with the colours of the linearisation before
+        const ColorGrid::Quad* former = before ? &before->images[source_image_].color.quad(cell) : nullptr;
+        const double former_share = before ? 1 - before->weights[cell].trust : 0;
         forEachInside(images, cell, target,
                       [&](const Sample& sample, const PixelSample& pixel, const double* residual, double squared)
         {
@@ -199,6 +151,9 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
             target.gradient(pixel, linear.gx, linear.gy);
             linear.weight = loss.weight(squared) * sample.importance;
             energy += loss.value(squared);
+            if (former_share > 0)
+                former_energy += loss.value(sample.importance * squaredResidual(sample.value, pixel, *former,
+                                            before->images[target_image_].color.quad(target.point().cell)));
             sums.add(sample.weight, linear);
             if (!target_moves)
                 return;
@@ -209,18 +164,26 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
                 partner = partners.insert(partner, {other, PartnerSums()});
             partner->second.add(sample.weight, target.point().weight.data(), linear);
         });
+        total.samples += options_.weight * energy;
+        if (before)
+            total.fixed += options_.weight * ((1 - former_share) * energy + former_share * former_energy) +
+                           before->weights[cell].extras(images[source_image_].color.quad(cell), images[target_image_].color);
+        weights[cell].clear();
         if (sums.samples() == 0)
             continue;
         ColoredBlock block = sums.block(options_.weight);
         block.energy = options_.weight * energy;
         const ColorGrid::Quad& now = images[source_image_].color.quad(cell);
         const bool judged = options_.gain_support > 0;
-        const double trust = judged ? sums.judgeColors(now, options_.weight, target_moves ? 0 : options_.gain_support, block) : 1;
+        ColorTrust& fixed = weights[cell];
+        if (judged)
+            sums.judgeColors(now, options_.weight, target_moves ? 0 : options_.gain_support, block, fixed);
         for (const std::pair<int, PartnerSums>& partner : partners)
         {
             PartnerBlock other = partner.second.block(options_.weight);
             if (judged)
-                partner.second.judgeColors(now, images[target_image_].color.quad(partner.first), options_.weight, trust, block, other);
+                fixed.partners.push_back({partner.first, partner.second.judgeColors(now, images[target_image_].color.quad(partner.first),
+                                                                                   options_.weight, fixed.trust, block, other)});
             if (frozen_[cell])
             {
                 other.cross = other.mesh_mesh = QuadBlock{};
@@ -228,7 +191,7 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
             }
             sink.addPartner({source_image_, cell}, {target_image_, partner.first}, other);
         }
-        total += block.energy;
+        total.here += block.energy;
         if (frozen_[cell])
         {
             block.mesh_mesh = QuadBlock{};
@@ -243,7 +206,7 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
 std::vector<PhotometricTerm::QuadMiss> PhotometricTerm::correlate(const std::vector<ImageState>& images) const
 {
     std::vector<QuadMiss> misses(lattice_.cellCount());
-    Target target(images[target_image_], target_shift_, false);
+    TargetLookup target(images[target_image_], target_shift_, false);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
         PairSums quarters[4];
@@ -272,7 +235,7 @@ std::vector<PhotometricTerm::QuadMiss> PhotometricTerm::correlate(const std::vec
 std::vector<PhotometricTerm::QuadColors> PhotometricTerm::compareColors(const std::vector<ImageState>& images) const
 {
     std::vector<QuadColors> result;
-    Target target(images[target_image_], target_shift_, true);
+    TargetLookup target(images[target_image_], target_shift_, true);
     for (int cell = 0; cell < lattice_.cellCount(); ++cell)
     {
         const size_t first = result.size();

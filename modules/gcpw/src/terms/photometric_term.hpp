@@ -6,21 +6,15 @@
 #include "energy/residual_sink.hpp"
 #include "energy/robust_loss.hpp"
 #include "imaging/sampler.hpp"
-#include "model/color_grid.hpp"
-#include "model/mesh_grid.hpp"
+#include "model/image_state.hpp"
 #include "terms/color_moments.hpp"
+#include "terms/sample_sums.hpp"
+#include "terms/target_lookup.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
-
-/// Where an image lies at the moment: its mesh and its colour.
-struct ImageState
-{
-    MeshGrid mesh;
-    ColorGrid color;
-};
 
 /** @brief Makes a sample of the source image look like the target at its warped position (eq. photoerror2, phototerm).
 
@@ -51,11 +45,34 @@ public:
     int sourceImage() const { return source_image_; }
     int targetImage() const { return target_image_; }
 
+    /// The function that a linearisation fixed (see ColorTrust).
+    struct Fixed
+    {
+        const std::vector<ImageState>& images;  ///< at which it was linearised
+        const std::vector<ColorTrust>& weights; ///< by cell
+    };
+
+    struct Energy
+    {
+        double samples = 0; ///< E_p
+        double here = 0;    ///< of the function that is fixed here
+        double fixed = 0;   ///< of the function that was fixed before
+    };
+
     /** @brief Pours one ColoredBlock per quad with samples and, if the target moves, its PartnerBlocks.
     @param cells quads of the source to pour; several threads may share a term
-    @return the robust energy */
+    @param before the function to evaluate beside, or null
+    @param weights by cell; receives the function that is fixed here, for the cells poured */
+    Energy linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss, Range cells,
+                     ResidualSink& sink, const Fixed* before, std::vector<ColorTrust>& weights) const;
+
+    /// The same for its energy `here` alone.
     double linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss, Range cells,
-                     ResidualSink& sink) const;
+                     ResidualSink& sink) const
+    {
+        std::vector<ColorTrust> weights(lattice_.cellCount());
+        return linearize(images, target_moves, loss, cells, sink, nullptr, weights).here;
+    }
     /// All quads.
     double linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
                      ResidualSink& sink) const
@@ -91,11 +108,10 @@ private:
         float value[3];   ///< Y, Cr, Cb
         float importance; ///< w_q
     };
-    class Target;
 
     /// Calls visit(sample, pixel, residual[3], squared residual times w_q) for the samples of a quad that are inside.
     template <typename Visit>
-    void forEachInside(const std::vector<ImageState>& images, int cell, Target& target, Visit visit) const;
+    void forEachInside(const std::vector<ImageState>& images, int cell, TargetLookup& target, Visit visit) const;
 
     int source_image_ = -1;
     int target_image_ = -1;

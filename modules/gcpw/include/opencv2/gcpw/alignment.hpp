@@ -23,7 +23,7 @@ typedef std::function<bool(const std::string& stage, double fraction)> Progress;
 enum class Status
 {
     OK = 0,          //!< refined as asked
-    ROUGH = 1,       //!< the refinement had no answer; the rough alignment is returned (see Report::message)
+    ROUGH = 1,       //!< the refinement had no answer or none that is better; the rough alignment is returned (see Report::message)
     NO_ALIGNMENT = 2, //!< not even a rough alignment was found
     CANCELLED = 3    //!< the progress callback said stop; the rough alignment is returned
 };
@@ -41,6 +41,17 @@ struct CV_EXPORTS TermEnergies
     double total() const { return photometric + points + lines + anchors + similarity + color; }
 };
 
+/// Why the iterations on a level ended.
+enum class StopReason
+{
+    ITERATION_LIMIT = 0, //!< Params::maxIterations, or the few iterations that the step of the method asks for
+    MESH_STABLE = 1,     //!< no vertex moved farther than Params::stopMotion
+    ENERGY_STABLE = 2,   //!< the energy sank by less than Params::stopGain
+    NO_DESCENT = 3,      //!< no part of the step lowers the energy, or each folds a quad: the last state is the result
+    SINGULAR = 4,        //!< the equations had no answer; the last good state was kept
+    CANCELLED = 5        //!< the progress callback said stop
+};
+
 /// What happened on one pyramid level.
 struct CV_EXPORTS LevelReport
 {
@@ -48,7 +59,7 @@ struct CV_EXPORTS LevelReport
     int iterations = 0;
     TermEnergies start; //!< after the colours were initialised (eq. initialfunction)
     TermEnergies end;
-    bool converged = false; //!< ended because the mesh was stable, not by the iteration limit
+    StopReason stop = StopReason::ITERATION_LIMIT; //!< why it ended
 };
 
 /// How well two images line up; lower is better, 0 is perfect, NaN where nothing could be compared.
@@ -65,8 +76,8 @@ struct CV_EXPORTS PairReport
     int b = 1;
     int points = 0; //!< point matches used
     int lines = 0;  //!< line matches used
-    /// 100 * RMS of 1 - correlation over quarters of quads with texture, at the working resolution: a quick relative of
-    /// Score::zncc that needs no rendering. Of the rough alignment; 0 where the overlap has no texture.
+    /// 100 * RMS of 1 - zero-mean NCC over windows of 5 x 5 working pixels with texture in both images: Score::zncc without
+    /// rendering, over the rows of a large image that suffice. Of the rough alignment; NaN where nothing could be compared.
     double miss_before = 0;
     double miss_after = 0; //!< the same of the result
 };
@@ -84,7 +95,7 @@ struct CV_EXPORTS Timings
 struct CV_EXPORTS Report
 {
     Status status = Status::OK;
-    std::string message; //!< empty, or why the status is not OK
+    std::string message; //!< why the status is not OK, or what is missing although it is; else empty
     std::vector<LevelReport> levels; //!< coarse to fine
     std::vector<PairReport> pairs;
     int folds = 0;                  //!< folded or flipped quads of all meshes; 0 by construction

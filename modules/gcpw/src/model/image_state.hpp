@@ -1,0 +1,23 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_IMAGE_STATE_HPP
+#define OPENCV_GCPW_IMAGE_STATE_HPP
+
+#include "model/color_grid.hpp"
+#include "model/mesh_grid.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// Where an image lies at the moment: its mesh and its colour.
+struct ImageState
+{
+    MeshGrid mesh;
+    ColorGrid color;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
