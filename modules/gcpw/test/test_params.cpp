@@ -48,7 +48,12 @@ TEST(Gcpw_Params, paper_switches_every_addition_off)
     EXPECT_EQ(p.matchScale, 0);
     EXPECT_EQ(p.contrastFloor, 0);
     EXPECT_EQ(p.anchorWeight, 0);
+    EXPECT_EQ(p.gainSupport, 0);
+    EXPECT_EQ(p.exposureWeight, 0);
+    EXPECT_EQ(p.balanceWeight, 0);
+    EXPECT_EQ(p.restWeight, 0);
     EXPECT_EQ(p.stopGain, 0) << "the paper ends when the mesh is stable";
+    EXPECT_GE(p.maxIterations, 1000) << "and by nothing else";
 }
 
 TEST(Gcpw_Params, every_member_is_set_and_read_by_its_name)

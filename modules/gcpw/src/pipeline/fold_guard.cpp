@@ -23,9 +23,9 @@ FoldGuard::FoldGuard(const MeshGrid& rough, double min_share)
             bound_.push_back(min_share * rough.cornerArea(cell, k));
 }
 
-std::vector<int> FoldGuard::violated(const MeshGrid& mesh, const std::vector<Point2d>& step) const
+std::vector<int> FoldGuard::violated(const MeshGrid& mesh, const std::vector<Point2d>& step, double share) const
 {
-    const MeshGrid next = moved(mesh, step, 1);
+    const MeshGrid next = moved(mesh, step, share);
     std::vector<int> cells;
     for (int cell = 0; cell < mesh.lattice().cellCount(); ++cell)
     {

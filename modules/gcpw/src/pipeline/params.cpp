@@ -116,12 +116,14 @@ Params Params::paper()
     p.similarityWeight = 0.5;
     p.colorSmoothnessWeight = 1;
     p.sampleStep = 3;
+    p.maxIterations = 1000;
     p.stopGain = 0;
     p.contrastFloor = 0;
     p.robustScale = 0;
     p.matchScale = 0;
     p.gainSupport = 0;
     p.anchorWeight = 0;
+    p.restWeight = 0;
     p.exposureWeight = 0;
     p.balanceWeight = 0;
     p.guidedMatching = 0;

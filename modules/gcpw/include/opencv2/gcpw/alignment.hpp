@@ -41,6 +41,17 @@ struct CV_EXPORTS TermEnergies
     double total() const { return photometric + points + lines + anchors + similarity + color; }
 };
 
+/// Why the iterations on a level ended.
+enum class StopReason
+{
+    ITERATION_LIMIT = 0, //!< Params::maxIterations, or the few iterations that the step of the method asks for
+    MESH_STABLE = 1,     //!< no vertex moved farther than Params::stopMotion
+    ENERGY_STABLE = 2,   //!< the energy sank by less than Params::stopGain
+    NO_DESCENT = 3,      //!< no part of the step lowers the energy, or each folds a quad: the last state is the result
+    SINGULAR = 4,        //!< the equations had no answer; the last good state was kept
+    CANCELLED = 5        //!< the progress callback said stop
+};
+
 /// What happened on one pyramid level.
 struct CV_EXPORTS LevelReport
 {
@@ -48,7 +59,7 @@ struct CV_EXPORTS LevelReport
     int iterations = 0;
     TermEnergies start; //!< after the colours were initialised (eq. initialfunction)
     TermEnergies end;
-    bool converged = false; //!< ended because the mesh was stable, not by the iteration limit
+    StopReason stop = StopReason::ITERATION_LIMIT; //!< why it ended
 };
 
 /// How well two images line up; lower is better, 0 is perfect, NaN where nothing could be compared.

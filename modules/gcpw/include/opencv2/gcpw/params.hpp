@@ -33,7 +33,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// The defaults. OpenCV's binding generator reads no initialiser of a member, so the constructor sets them all.
     CV_WRAP Params();
 
-    /// The constants of the paper and none of the additions: exactly its section 2.
+    /** @brief The constants of its section 2, and iterations until the mesh is stable.
+
+    All additions that a member can switch off are off. What stays: matches are filtered, no quad folds (minQuadArea), and the
+    result is compared with the rough alignment. */
     CV_WRAP static Params paper();
 
     /// Throws cv::Exception (StsOutOfRange) that names the first member out of its range, its value and the range.
