@@ -4,7 +4,7 @@
 Usage: includes_point_down.py REPOSITORY
 
 A room of modules/gcpw/src may include itself and rooms of lower floors. Rooms of one floor do not know each other.
-Eigen stays in the energy room. Public headers know nothing private, the sources know nothing of evaluation, samples and
+Eigen stays in the solver room. Public headers know nothing private, the sources know nothing of evaluation, samples and
 tests. The evaluation library knows only public headers and itself, samples know both."""
 import pathlib
 import posixpath
@@ -15,14 +15,17 @@ FLOORS = {
     "geometry": 0,
     "model": 1,
     "imaging": 1,
-    "energy": 2,
-    "terms": 3,
-    "matching": 3,
+    "overlap": 2,
+    "solver": 2,
+    "rendering": 2,
+    "energy": 3,
+    "registration": 4,
     "color": 4,
-    "pipeline": 5,
-    "adapters": 6,
+    "optimization": 5,
+    "api": 6,
+    "stitching": 7,
 }
-EIGEN_ROOM = "energy"
+EIGEN_ROOM = "solver"
 OUTSIDE = ("evaluation", "samples", "test", "perf", "common")
 ABOVE_EVALUATION = ("samples", "test", "perf", "common")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)

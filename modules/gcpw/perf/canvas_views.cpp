@@ -2,7 +2,7 @@
 #include "canvas_views.hpp"
 
 #include <cmath>
-#include "matching/features_header.hpp"
+#include "registration/features_header.hpp"
 #include "scene.hpp"
 
 namespace opencv_test

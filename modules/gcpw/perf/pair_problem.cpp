@@ -53,7 +53,7 @@ void PairProblem::holdShapes()
         std::vector<int> cells(lattices_[i].cellCount());
         std::iota(cells.begin(), cells.end(), 0);
         if (target_moves_) // as where several images move: nothing else says where the canvas is
-            rests_.emplace_back(i, states_[i].mesh, cells, params.restWeight);
+            shape_priors_.emplace_back(i, states_[i].mesh, cells, params.restWeight);
     }
 }
 
@@ -73,13 +73,13 @@ gcpw::RobustLoss PairProblem::loss() const
     return gcpw::RobustLoss(0.1 * gcpw::Params().robustScale); // in local standard deviations, as on the finest level
 }
 
-void PairProblem::pour(gcpw::ResidualSink& sink) const
+void PairProblem::accumulate(gcpw::NormalEquations& equations) const
 {
-    samples_.pourInto(sink);
+    samples_.addTo(equations);
     for (size_t i = 0; i < similarity_.size(); ++i)
-        similarity_[i].linearize(states_[i].mesh, sink);
-    for (const gcpw::AnchorTerm& rest : rests_)
-        rest.linearize(states_[rest.image()].mesh, sink);
+        similarity_[i].linearize(states_[i].mesh, equations);
+    for (const gcpw::AnchorTerm& reference : shape_priors_)
+        reference.linearize(states_[reference.image()].mesh, equations);
 }
 
 } // namespace opencv_test

@@ -5,11 +5,11 @@
 #include "perf_precomp.hpp"
 
 #include <vector>
-#include "energy/block_buffer.hpp"
+#include "solver/equation_buffer.hpp"
 #include "scene.hpp"
-#include "terms/anchor_term.hpp"
-#include "terms/photometric_term.hpp"
-#include "terms/similarity_term.hpp"
+#include "energy/anchor_term.hpp"
+#include "energy/photometric_term.hpp"
+#include "energy/similarity_term.hpp"
 
 namespace opencv_test
 {
@@ -22,7 +22,7 @@ const Scene& pairScene();
 
 /** @brief The first Gauss-Newton step on the finest level of that scene, with the default constants.
 
-The source lies where the true homography has it, and the target at rest if it is held, else bent by half a pixel. */
+The source lies where the true homography has it, and the target at rest if it is fixed, else bent by half a pixel. */
 class PairProblem
 {
 public:
@@ -31,13 +31,13 @@ public:
 
     const std::vector<gcpw::Lattice>& lattices() const { return lattices_; }
     const std::vector<gcpw::ImageState>& states() const { return states_; }
-    std::vector<bool> held() const { return std::vector<bool>(lattices_.size(), false); }
+    std::vector<bool> fixed() const { return std::vector<bool>(lattices_.size(), false); }
 
     gcpw::PhotometricTerm pixels(int step) const;
     gcpw::RobustLoss loss() const;
 
-    /// Pours the samples of every second pixel, summed up beforehand, and what holds the meshes.
-    void pour(gcpw::ResidualSink& sink) const;
+    /// Accumulates the samples of every second pixel, summed up beforehand, and what holds the meshes.
+    void accumulate(gcpw::NormalEquations& equations) const;
 
 private:
     void holdShapes();
@@ -46,9 +46,9 @@ private:
     std::vector<gcpw::PyramidLevel> levels_;
     std::vector<gcpw::ImageState> states_;
     std::vector<gcpw::Lattice> lattices_; ///< of the images that have unknowns
-    gcpw::BlockBuffer samples_;
+    gcpw::EquationBuffer samples_;
     std::vector<gcpw::SimilarityTerm> similarity_;
-    std::vector<gcpw::AnchorTerm> rests_;
+    std::vector<gcpw::AnchorTerm> shape_priors_;
 };
 
 } // namespace opencv_test

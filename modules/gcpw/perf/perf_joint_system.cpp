@@ -1,10 +1,10 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "perf_precomp.hpp"
 
-#include "energy/joint_system.hpp"
+#include "solver/joint_system.hpp"
 #include "pair_problem.hpp"
 #include "sparse_reference.hpp"
-#include "terms/color_smoothness_term.hpp"
+#include "energy/color_smoothness_term.hpp"
 #include "thread_count.hpp"
 
 namespace opencv_test { namespace {
@@ -31,7 +31,7 @@ PERF_TEST(Gcpw_JointSystem, step_of_mesh_and_colors)
 {
     const ThreadCount threads(1);
     const PairProblem problem(false);
-    gcpw::JointSystem system(problem.lattices(), problem.held(), problem.held());
+    gcpw::JointSystem system(problem.lattices(), problem.fixed(), problem.fixed());
     gcpw::addColorSmoothness(0, problem.lattices()[0], gcpw::Params().colorSmoothnessWeight, system.colors());
     const std::vector<gcpw::ColorGrid> start{problem.states()[0].color};
     std::vector<gcpw::ColorGrid> colors;
@@ -42,14 +42,14 @@ PERF_TEST(Gcpw_JointSystem, step_of_mesh_and_colors)
         colors = start;
         system.setZero();
         system.addDamping(DAMPING);
-        problem.pour(system);
+        problem.accumulate(system);
         solved = system.solveMeshes(colors, step) == gcpw::SolveStatus::Solved && solved;
         solved = system.solveColorsAfter(step, colors) == gcpw::SolveStatus::Solved && solved;
     }
     SparseReference reference(problem, SparseReference::MESHES_AND_COLORS, DAMPING);
     Eigen::VectorXd exact;
     CV_Assert(solved && reference.solve(exact));
-    // Neighbours are held while colours are eliminated: not the whole gain of the exact step, but nearly.
+    // Neighbours are fixed while colours are eliminated: not the whole gain of the exact step, but nearly.
     CV_Assert(reference.energy(stacked(step, start[0], colors[0])) <= 0.95 * reference.energy(exact));
     SANITY_CHECK_NOTHING();
 }

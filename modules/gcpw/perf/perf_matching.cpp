@@ -4,8 +4,8 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include "geometry/homography.hpp"
-#include "matching/features_header.hpp"
-#include "matching/keypoints.hpp"
+#include "registration/features_header.hpp"
+#include "registration/keypoints.hpp"
 #include "pair_problem.hpp"
 #include "thread_count.hpp"
 

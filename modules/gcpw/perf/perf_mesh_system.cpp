@@ -1,8 +1,8 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "perf_precomp.hpp"
 
-#include "energy/block_tridiagonal.hpp"
-#include "energy/mesh_system.hpp"
+#include "solver/block_tridiagonal.hpp"
+#include "solver/mesh_system.hpp"
 #include "pair_problem.hpp"
 #include "sparse_reference.hpp"
 #include "thread_count.hpp"
@@ -77,7 +77,7 @@ void solveMeshes(const PairProblem& problem, gcpw::MeshSystem& system, gcpw::Mes
 {
     system.setZero();
     system.addDamping(DAMPING);
-    problem.pour(system);
+    problem.accumulate(system);
     CV_Assert(system.solve(step) == gcpw::SolveStatus::Solved);
 }
 
@@ -85,7 +85,7 @@ PERF_TEST(Gcpw_MeshSystem, one_image)
 {
     const ThreadCount threads(1);
     const PairProblem problem(false);
-    gcpw::MeshSystem system(problem.lattices(), problem.held());
+    gcpw::MeshSystem system(problem.lattices(), problem.fixed());
     gcpw::MeshStep step;
     TEST_CYCLE() solveMeshes(problem, system, step);
     SparseReference reference(problem, SparseReference::MESHES, DAMPING);
@@ -97,7 +97,7 @@ PERF_TEST(Gcpw_MeshSystem, two_tied_images)
 {
     const ThreadCount threads(1);
     const PairProblem problem(true);
-    gcpw::MeshSystem system(problem.lattices(), problem.held());
+    gcpw::MeshSystem system(problem.lattices(), problem.fixed());
     gcpw::MeshStep step;
     TEST_CYCLE() solveMeshes(problem, system, step);
     SparseReference reference(problem, SparseReference::MESHES, DAMPING);

@@ -8,13 +8,13 @@ namespace opencv_test { namespace {
 /// px between samples
 typedef perf::TestBaseWithParam<int> Gcpw_PhotometricTerm;
 
-PERF_TEST_P(Gcpw_PhotometricTerm, pour_with_the_target_held, testing::Values(2, 3))
+PERF_TEST_P(Gcpw_PhotometricTerm, pour_with_the_target_fixed, testing::Values(2, 3))
 {
     const PairProblem problem(false);
     const gcpw::PhotometricTerm term = problem.pixels(GetParam());
-    gcpw::NullSink sink;
+    gcpw::NullEquations equations;
     double energy = 0;
-    TEST_CYCLE() energy = term.linearize(problem.states(), false, problem.loss(), sink);
+    TEST_CYCLE() energy = term.linearize(problem.states(), false, problem.loss(), equations);
     CV_Assert(energy > 0);
     SANITY_CHECK_NOTHING();
 }
@@ -23,9 +23,9 @@ PERF_TEST_P(Gcpw_PhotometricTerm, pour_with_both_moving, testing::Values(2, 3))
 {
     const PairProblem problem(true);
     const gcpw::PhotometricTerm term = problem.pixels(GetParam());
-    gcpw::NullSink sink;
+    gcpw::NullEquations equations;
     double energy = 0;
-    TEST_CYCLE() energy = term.linearize(problem.states(), true, problem.loss(), sink);
+    TEST_CYCLE() energy = term.linearize(problem.states(), true, problem.loss(), equations);
     CV_Assert(energy > 0);
     SANITY_CHECK_NOTHING();
 }

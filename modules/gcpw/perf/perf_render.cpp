@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/stitching/detail/exposure_compensate.hpp>
 #include <opencv2/stitching/detail/warpers.hpp>
-#include "color/color_correction.hpp"
-#include "model/inverse_map.hpp"
+#include "rendering/color_correction.hpp"
+#include "rendering/inverse_map.hpp"
 #include "pair_problem.hpp"
 #include "thread_count.hpp"
 

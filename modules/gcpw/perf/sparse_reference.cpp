@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <vector>
-#include "recording_sink.hpp"
+#include "recording_equations.hpp"
 
 namespace opencv_test
 {
@@ -37,16 +37,16 @@ private:
     std::vector<Eigen::Triplet<double>> entries_;
 };
 
-void addMesh(const RecordingSink& record, gcpw::QuadId quad, const gcpw::QuadBlock& block, Entries& entries)
+void addMesh(const RecordingEquations& record, gcpw::QuadId quad, const gcpw::QuadBlock& block, Entries& entries)
 {
     for (int i = 0; i < 8; ++i)
         for (int j = i; j < 8; ++j)
             entries.add(record.meshColumn(quad, i), record.meshColumn(quad, j), block[i][j]);
 }
 
-void addPairs(const RecordingSink& record, Entries& entries)
+void addPairs(const RecordingEquations& record, Entries& entries)
 {
-    for (const RecordingSink::Partner& item : record.partners)
+    for (const RecordingEquations::Partner& item : record.targets)
     {
         addMesh(record, item.b, item.block.mesh_mesh, entries);
         for (int i = 0; i < 8; ++i)
@@ -56,9 +56,9 @@ void addPairs(const RecordingSink& record, Entries& entries)
 }
 
 /// Of one quad each.
-void addRows(const RecordingSink& record, Entries& entries)
+void addRows(const RecordingEquations& record, Entries& entries)
 {
-    for (const RecordingSink::Row& item : record.rows)
+    for (const RecordingEquations::Row& item : record.rows)
         for (int i = 0; i < 8; ++i)
             for (int j = i; j < 8; ++j)
                 if (item.row_a[i] != 0 && item.row_a[j] != 0)
@@ -66,9 +66,9 @@ void addRows(const RecordingSink& record, Entries& entries)
                                 item.weight * item.row_a[i] * item.row_a[j]);
 }
 
-void addColors(const RecordingSink& record, Entries& entries)
+void addColors(const RecordingEquations& record, Entries& entries)
 {
-    for (const RecordingSink::Block& item : record.blocks)
+    for (const RecordingEquations::Block& item : record.blocks)
     {
         if (item.block.samples == 0)
             continue;
@@ -85,7 +85,7 @@ void addColors(const RecordingSink& record, Entries& entries)
 }
 
 /// See addColorSmoothness(): 2 * weight * sum over x of (gain x + bias)^2, between neighbours.
-void addSmoothness(const RecordingSink& record, const gcpw::Lattice& lattice, Entries& entries)
+void addSmoothness(const RecordingEquations& record, const gcpw::Lattice& lattice, Entries& entries)
 {
     const double weight = 2 * gcpw::Params().colorSmoothnessWeight;
     const double form[3] = {3.85 * weight, 5.5 * weight, 11 * weight}; // sums of x^2, x and 1 over 0, 0.1 .. 1
@@ -103,10 +103,10 @@ void addSmoothness(const RecordingSink& record, const gcpw::Lattice& lattice, En
 
 SparseReference::SparseReference(const PairProblem& problem, Unknowns unknowns, double damping)
 {
-    RecordingSink record(problem.lattices());
-    problem.pour(record);
+    RecordingEquations record(problem.lattices());
+    problem.accumulate(record);
     Entries entries;
-    for (const RecordingSink::Block& item : record.blocks)
+    for (const RecordingEquations::Block& item : record.blocks)
         addMesh(record, item.quad, item.block.mesh_mesh, entries);
     addPairs(record, entries);
     addRows(record, entries);

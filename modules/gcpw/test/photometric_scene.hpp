@@ -7,7 +7,7 @@
 #include <functional>
 #include "bent_mesh.hpp"
 #include "term_laws.hpp"
-#include "terms/photometric_term.hpp"
+#include "energy/photometric_term.hpp"
 
 namespace opencv_test
 {
@@ -17,9 +17,9 @@ const cv::gcpw::Lattice TARGET(Size(120, 90), 5, 4);
 const double WEIGHT = 100;
 const int SOURCE_MESH = 2 * SOURCE.vertexCount();
 
-typedef std::function<double(Point2d rest_px, int channel)> Picture;
+typedef std::function<double(Point2d reference_px, int channel)> Picture;
 
-/// A level whose pixels show a picture exactly, at their rest positions; inside everywhere.
+/// A level whose pixels show a picture exactly, at their reference positions; inside everywhere.
 inline cv::gcpw::PyramidLevel levelOf(const cv::gcpw::Lattice& lattice, double scale, const Picture& picture)
 {
     cv::gcpw::PyramidLevel level;

@@ -73,9 +73,9 @@ inline gcpw::Rig bentRig(const Ptr<WarperCreator>& base, const std::vector<cv::d
     std::vector<gcpw::Alignment::Image> images;
     for (size_t i = 0; i < cameras.size(); ++i)
     {
-        const double turn = turns.empty() ? 0 : turns[i];
-        const Matx33f world = Matx33f(rotationOf(-turn, 0, 0).ptr<float>()) * Matx33f(cameras[i].R.ptr<float>());
-        const Rect roi = warper->warpRoi(RIG_IMAGE, intrinsics(cameras[i]), Mat(turn == 0 ? Matx33f(cameras[i].R.ptr<float>()) : world));
+        const double seam_rotation_rad = turns.empty() ? 0 : turns[i];
+        const Matx33f world = Matx33f(rotationOf(-seam_rotation_rad, 0, 0).ptr<float>()) * Matx33f(cameras[i].R.ptr<float>());
+        const Rect roi = warper->warpRoi(RIG_IMAGE, intrinsics(cameras[i]), Mat(seam_rotation_rad == 0 ? Matx33f(cameras[i].R.ptr<float>()) : world));
         gcpw::Alignment::Image image;
         image.full_size = image.work_size = roi.size();
         image.color = Mat(6, 8, CV_32FC(6));
@@ -84,10 +84,10 @@ inline gcpw::Rig bentRig(const Ptr<WarperCreator>& base, const std::vector<cv::d
         for (int row = 0; row < 7; ++row)
             for (int col = 0; col < 9; ++col)
             {
-                const Vec2d rest(roi.x + turn * rig.scale + col * roi.width / 8.0 - 0.5, roi.y + row * roi.height / 6.0 - 0.5);
+                const Vec2d reference(roi.x + seam_rotation_rad * rig.scale + col * roi.width / 8.0 - 0.5, roi.y + row * roi.height / 6.0 - 0.5);
                 const double phase = static_cast<double>(i);
-                image.rough.at<Vec2d>(row, col) = rest;
-                image.mesh.at<Vec2d>(row, col) = rest + bend_px * Vec2d(std::sin(0.7 * col + 0.4 * row + phase), std::cos(0.5 * col - 0.8 * row + phase));
+                image.rough.at<Vec2d>(row, col) = reference;
+                image.mesh.at<Vec2d>(row, col) = reference + bend_px * Vec2d(std::sin(0.7 * col + 0.4 * row + phase), std::cos(0.5 * col - 0.8 * row + phase));
                 if (row < 6 && col < 8)
                     image.color.at<Vec<float, 6>>(row, col) =
                         Vec<float, 6>(0.8F + 0.05F * static_cast<float>(col), 1, 1, 0.01F * static_cast<float>(row), 0, 0.01F);

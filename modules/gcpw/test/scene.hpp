@@ -73,7 +73,7 @@ public:
     std::vector<gcpw::PointMatch> pointMatches(int count, uint64_t seed, double jitter_px = 0,
                                                double outlier_share = 0) const;
 
-    /// Straight in the target; the source's partner is the chord of what the warp makes of it.
+    /// Straight in the target; the source's target is the chord of what the warp makes of it.
     std::vector<gcpw::LineMatch> lineMatches(int count, uint64_t seed, double outlier_share = 0) const;
 
     /// Mean distance, canvas px, of a mesh from the truth over the source pixels that the target shows too.

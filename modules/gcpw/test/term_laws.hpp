@@ -8,7 +8,7 @@
 #include <vector>
 #include "model/color_grid.hpp"
 #include "model/mesh_grid.hpp"
-#include "recording_sink.hpp"
+#include "recording_equations.hpp"
 #include "seeded.hpp"
 
 namespace opencv_test
@@ -34,7 +34,7 @@ struct TermState
         return all;
     }
 
-    /// The state displaced by `d`, whose columns are those of RecordingSink.
+    /// The state displaced by `d`, whose columns are those of RecordingEquations.
     TermState moved(const Eigen::VectorXd& d) const
     {
         TermState next = *this;
@@ -56,72 +56,72 @@ struct TermState
     }
 };
 
-/// Pours a term at a state and returns the energy it reports.
-typedef std::function<double(const TermState&, cv::gcpw::ResidualSink&)> PourTerm;
+/// Accumulates a term at a state and returns the energy it reports.
+typedef std::function<double(const TermState&, cv::gcpw::NormalEquations&)> LinearizeTerm;
 
-/// A random displacement of the unknowns [first, last) of a sink, of unit length per unknown, zero elsewhere.
-inline Eigen::VectorXd randomMotion(const RecordingSink& sink, int first, int last, uint64_t seed)
+/// A random displacement of the unknowns [first, last) of a equations, of unit length per unknown, zero elsewhere.
+inline Eigen::VectorXd randomMotion(const RecordingEquations& equations, int first, int last, uint64_t seed)
 {
     RNG rng = seeded(seed);
-    Eigen::VectorXd d = Eigen::VectorXd::Zero(sink.columns());
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(equations.columns());
     for (int k = first; k < last; ++k)
         d[k] = rng.uniform(-1.0, 1.0);
     return d;
 }
 
-/** @brief The gradient that a term pours is the slope of the energy it reports, along random motions of the unknowns
+/** @brief The gradient that a term accumulates is the slope of the energy it reports, along random motions of the unknowns
 [first, last).
 @param step of the central difference  @param tolerance relative to the steepest of all slopes */
-inline void expectGradientIsSlope(const PourTerm& pour, const TermState& state, int first, int last, double step,
+inline void expectGradientIsSlope(const LinearizeTerm& accumulate, const TermState& state, int first, int last, double step,
                                   double tolerance)
 {
-    RecordingSink sink(state.lattices());
-    pour(state, sink);
-    const Eigen::VectorXd gradient = 2 * sink.gradient();
+    RecordingEquations equations(state.lattices());
+    accumulate(state, equations);
+    const Eigen::VectorXd gradient = 2 * equations.gradient();
     ASSERT_GT(gradient.segment(first, last - first).norm(), 0) << "nothing to differentiate";
     for (int trial = 0; trial < 20; ++trial)
     {
-        const Eigen::VectorXd d = randomMotion(sink, first, last, trial);
-        RecordingSink ignored(state.lattices());
-        const double high = pour(state.moved(step * d), ignored);
-        const double low = pour(state.moved(-step * d), ignored);
+        const Eigen::VectorXd d = randomMotion(equations, first, last, trial);
+        RecordingEquations ignored(state.lattices());
+        const double high = accumulate(state.moved(step * d), ignored);
+        const double low = accumulate(state.moved(-step * d), ignored);
         EXPECT_NEAR((high - low) / (2 * step), gradient.dot(d),
                     tolerance * gradient.segment(first, last - first).norm())
             << "trial " << trial;
     }
 }
 
-/** @brief What a term pours says its energy at every other state too: energy + 2 gradient . d + d^T matrix d.
+/** @brief What a term accumulates says its energy at every other state too: energy + 2 gradient . d + d^T matrix d.
 
 True where residuals are linear and the loss is the square: then it holds every Jacobian to account.
 @param size of the random displacement of each unknown  @param tolerance relative to the energy there */
-inline void expectExactlyQuadratic(const PourTerm& pour, const TermState& state, int first, int last, double size,
+inline void expectExactlyQuadratic(const LinearizeTerm& accumulate, const TermState& state, int first, int last, double size,
                                    double tolerance)
 {
-    RecordingSink sink(state.lattices());
-    const double energy = pour(state, sink);
-    const Eigen::VectorXd gradient = sink.gradient();
-    const Eigen::MatrixXd matrix = sink.matrix();
+    RecordingEquations equations(state.lattices());
+    const double energy = accumulate(state, equations);
+    const Eigen::VectorXd gradient = equations.gradient();
+    const Eigen::MatrixXd matrix = equations.matrix();
     double change = 0;
     for (int trial = 0; trial < 10; ++trial)
     {
-        const Eigen::VectorXd d = size * randomMotion(sink, first, last, trial);
-        RecordingSink ignored(state.lattices());
+        const Eigen::VectorXd d = size * randomMotion(equations, first, last, trial);
+        RecordingEquations ignored(state.lattices());
         const double expected = energy + 2 * gradient.dot(d) + d.dot(matrix * d);
-        const double found = pour(state.moved(d), ignored);
+        const double found = accumulate(state.moved(d), ignored);
         EXPECT_NEAR(found, expected, tolerance * found) << "trial " << trial;
         change = std::max(change, std::abs(found - energy));
     }
     EXPECT_GT(change, 100 * tolerance * energy) << "nothing changes";
 }
 
-/// The energy that a term reports is what the poured rows and blocks add up to.
-inline void expectEnergyIsSumOfRows(const PourTerm& pour, const TermState& state)
+/// The energy that a term reports is what the accumulated rows and blocks add up to.
+inline void expectEnergyIsSumOfRows(const LinearizeTerm& accumulate, const TermState& state)
 {
-    RecordingSink sink(state.lattices());
-    const double energy = pour(state, sink);
+    RecordingEquations equations(state.lattices());
+    const double energy = accumulate(state, equations);
     EXPECT_GT(energy, 0);
-    EXPECT_NEAR(sink.energy(), energy, 1e-9 * energy);
+    EXPECT_NEAR(equations.energy(), energy, 1e-9 * energy);
 }
 
 } // namespace opencv_test

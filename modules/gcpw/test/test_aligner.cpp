@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include "opencv2/gcpw/aligner.hpp"
-#include "pipeline/pair_matcher.hpp"
-#include "pipeline/result.hpp"
+#include "registration/pair_matcher.hpp"
+#include "api/result.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {
@@ -50,19 +50,19 @@ TEST(Gcpw_Aligner, two_images_are_brought_together_and_the_reference_stays)
         EXPECT_EQ(alignment.image(REFERENCE).color.ptr<float>(0)[c], c < 3 ? 1 : 0);
 }
 
-/// What alignPair() makes of a source and a target whose rough alignment is a shift: image 0 moves, image 1 is held.
+/// What alignPair() makes of a source and a target whose rough alignment is a shift: image 0 moves, image 1 is fixed.
 Alignment pairResult(const Mat& source, const Mat& target, Point corner, const Params& params)
 {
     Problem problem;
     problem.images.resize(2);
     problem.images[0].rough = MeshGrid(Lattice(source.size(), params.meshCols, params.meshRows), corner);
     problem.images[1].rough = MeshGrid(Lattice(target.size(), params.meshCols, params.meshRows));
-    problem.images[1].held = true;
+    problem.images[1].fixed = true;
     ProblemPair pair;
     pair.a = 0;
     pair.b = 1;
     pair.matches = matchPair(detectFeatures(source, Mat(), source.size(), params), detectFeatures(target, Mat(), target.size(), params),
-                             problem.images[0].rough, problem.images[1].rough, Point2d(), params, recipeOf(params.method));
+                             problem.images[0].rough, problem.images[1].rough, Point2d(), params, termsOf(params.method));
     problem.pairs.push_back(pair);
     problem.images[0].pyramid = buildPyramid(source, Mat(), params.pyramidLevels);
     problem.images[1].pyramid = buildPyramid(target, Mat(), params.pyramidLevels);
@@ -73,7 +73,7 @@ Alignment pairResult(const Mat& source, const Mat& target, Point corner, const P
                      Size2d(1, 1), report);
 }
 
-TEST(Gcpw_Aligner, two_images_with_one_held_are_what_the_pair_is)
+TEST(Gcpw_Aligner, two_images_with_one_fixed_are_what_the_pair_is)
 {
     SceneOptions options = sceneAt(64, 1);
     options.recolored = true;

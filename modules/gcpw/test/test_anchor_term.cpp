@@ -3,7 +3,7 @@
 
 #include "bent_mesh.hpp"
 #include "term_laws.hpp"
-#include "terms/anchor_term.hpp"
+#include "energy/anchor_term.hpp"
 
 namespace opencv_test { namespace {
 
@@ -17,10 +17,10 @@ MeshGrid anchorMesh()
     return bentMesh(LATTICE, 3, 1);
 }
 
-PourTerm pourAnchors(const std::vector<int>& cells)
+LinearizeTerm accumulateAnchors(const std::vector<int>& cells)
 {
     const AnchorTerm term(0, anchorMesh(), cells, WEIGHT);
-    return [term](const TermState& state, ResidualSink& sink) { return term.linearize(state.meshes[0], sink); };
+    return [term](const TermState& state, NormalEquations& equations) { return term.linearize(state.meshes[0], equations); };
 }
 
 TermState displaced()
@@ -31,10 +31,10 @@ TermState displaced()
 TEST(Gcpw_AnchorTerm, it_is_zero_at_the_anchor)
 {
     const TermState truth({anchorMesh()});
-    RecordingSink sink({LATTICE});
-    EXPECT_EQ(pourAnchors({2, 7})(truth, sink), 0);
-    EXPECT_EQ(sink.gradient().norm(), 0);
-    EXPECT_EQ(sink.blocks.size(), 2u);
+    RecordingEquations equations({LATTICE});
+    EXPECT_EQ(accumulateAnchors({2, 7})(truth, equations), 0);
+    EXPECT_EQ(equations.gradient().norm(), 0);
+    EXPECT_EQ(equations.blocks.size(), 2u);
 }
 
 TEST(Gcpw_AnchorTerm, its_energy_is_the_weighted_sum_of_squared_distances_of_the_corners)
@@ -47,23 +47,23 @@ TEST(Gcpw_AnchorTerm, its_energy_is_the_weighted_sum_of_squared_distances_of_the
             const Point2d r = state.meshes[0].vertex(cell, k) - anchorMesh().vertex(cell, k);
             expected += WEIGHT * r.dot(r);
         }
-    RecordingSink sink({LATTICE});
-    EXPECT_NEAR(pourAnchors({2, 7})(state, sink), expected, 1e-12);
-    expectEnergyIsSumOfRows(pourAnchors({2, 7}), state);
+    RecordingEquations equations({LATTICE});
+    EXPECT_NEAR(accumulateAnchors({2, 7})(state, equations), expected, 1e-12);
+    expectEnergyIsSumOfRows(accumulateAnchors({2, 7}), state);
 }
 
 TEST(Gcpw_AnchorTerm, jacobian_equals_finite_differences)
 {
     const int all = 2 * LATTICE.vertexCount();
-    expectExactlyQuadratic(pourAnchors({2, 3, 7}), displaced(), 0, all, 2.0, 1e-9);
-    expectGradientIsSlope(pourAnchors({2, 3, 7}), displaced(), 0, all, 1e-3, 1e-7);
+    expectExactlyQuadratic(accumulateAnchors({2, 3, 7}), displaced(), 0, all, 2.0, 1e-9);
+    expectGradientIsSlope(accumulateAnchors({2, 3, 7}), displaced(), 0, all, 1e-3, 1e-7);
 }
 
 TEST(Gcpw_AnchorTerm, without_quads_there_are_no_rows)
 {
-    RecordingSink sink({LATTICE});
-    EXPECT_EQ(pourAnchors({})(displaced(), sink), 0);
-    EXPECT_TRUE(sink.empty());
+    RecordingEquations equations({LATTICE});
+    EXPECT_EQ(accumulateAnchors({})(displaced(), equations), 0);
+    EXPECT_TRUE(equations.empty());
 }
 
 }} // namespace

@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include <Eigen/Cholesky>
-#include "energy/block_tridiagonal.hpp"
+#include "solver/block_tridiagonal.hpp"
 #include "seeded.hpp"
 
 namespace opencv_test { namespace {

@@ -1,7 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
-#include "terms/color_moments.hpp"
+#include "overlap/color_moments.hpp"
 
 namespace opencv_test { namespace {
 
@@ -51,11 +51,11 @@ TEST(Gcpw_ColorMoments, weights_count_as_samples_do)
 
 TEST(Gcpw_ColorMoments, trust_follows_the_correlation)
 {
-    EXPECT_NEAR(trustIn(momentsOf(500, 0.7, 0.1, 0)), 1, 1e-6);
-    EXPECT_NEAR(trustIn(momentsOf(500, -0.7, 0.9, 0)), 0.01, 1e-9);
-    EXPECT_LT(trustIn(momentsOf(500, 0, 0.5, 0.2)), 0.05);
-    EXPECT_EQ(trustIn(momentsOf(500, 0, 0.5, 0)), 1) << "flat: its mean is worth as much as any";
-    const double half = trustIn(momentsOf(500, 0.7, 0.1, 0.2));
+    EXPECT_NEAR(correlationWeight(momentsOf(500, 0.7, 0.1, 0)), 1, 1e-6);
+    EXPECT_NEAR(correlationWeight(momentsOf(500, -0.7, 0.9, 0)), 0.01, 1e-9);
+    EXPECT_LT(correlationWeight(momentsOf(500, 0, 0.5, 0.2)), 0.05);
+    EXPECT_EQ(correlationWeight(momentsOf(500, 0, 0.5, 0)), 1) << "flat: its mean is worth as much as any";
+    const double half = correlationWeight(momentsOf(500, 0.7, 0.1, 0.2));
     EXPECT_GT(half, 0.3);
     EXPECT_LT(half, 0.9);
 }

@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include "seeded.hpp"
-#include "terms/color_smoothness_term.hpp"
+#include "energy/color_smoothness_term.hpp"
 
 namespace opencv_test { namespace {
 
@@ -25,7 +25,7 @@ double energyOf(const ColorGrid& grid)
 {
     ColorSystem system({grid.lattice()}, {false});
     addColorSmoothness(0, grid.lattice(), WEIGHT, system);
-    return system.regularEnergy({grid});
+    return system.regularizationEnergy({grid});
 }
 
 TEST(Gcpw_ColorSmoothnessTerm, it_is_equation_colorterm)
@@ -84,8 +84,8 @@ TEST(Gcpw_ColorSmoothnessTerm, it_acts_on_the_image_it_is_given)
 {
     ColorSystem system({LATTICE, LATTICE}, {false, false});
     addColorSmoothness(1, LATTICE, WEIGHT, system);
-    EXPECT_EQ(system.regularEnergy({randomGrid(3), ColorGrid(LATTICE)}), 0);
-    EXPECT_GT(system.regularEnergy({ColorGrid(LATTICE), randomGrid(3)}), 0);
+    EXPECT_EQ(system.regularizationEnergy({randomGrid(3), ColorGrid(LATTICE)}), 0);
+    EXPECT_GT(system.regularizationEnergy({ColorGrid(LATTICE), randomGrid(3)}), 0);
 }
 
 }} // namespace

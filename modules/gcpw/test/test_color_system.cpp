@@ -2,9 +2,9 @@
 #include "test_precomp.hpp"
 
 #include <Eigen/LU>
-#include "energy/color_system.hpp"
+#include "solver/color_system.hpp"
 #include "random_problem.hpp"
-#include "recording_sink.hpp"
+#include "recording_equations.hpp"
 
 namespace opencv_test { namespace {
 
@@ -45,8 +45,8 @@ struct Told
         double weight;
     };
     std::vector<std::pair<QuadId, QuadId>> links;
-    std::vector<Pull> pulls;
-    RecordingSink samples{{FIRST, SECOND}};
+    std::vector<Pull> priors;
+    RecordingEquations samples{{FIRST, SECOND}};
     std::vector<ColorGrid> now;
 
     double regular(const Eigen::VectorXd& x) const
@@ -63,10 +63,10 @@ struct Told
                 const double h = x[a + 1] - x[b + 1];
                 energy += LINK.gain_gain * g * g + 2 * LINK.gain_bias * g * h + LINK.bias_bias * h * h;
             }
-            for (const Pull& pull : pulls)
+            for (const Pull& prior : priors)
             {
-                const int a = samples.colorColumn(pull.quad, 2 * c) - offset;
-                energy += pull.weight * ((x[a] - 1) * (x[a] - 1) + x[a + 1] * x[a + 1]);
+                const int a = samples.colorColumn(prior.quad, 2 * c) - offset;
+                energy += prior.weight * ((x[a] - 1) * (x[a] - 1) + x[a + 1] * x[a + 1]);
             }
         }
         return energy;
@@ -90,14 +90,14 @@ void tellPartners(ColorSystem& system, Told& told, uint64_t seed)
         const QuadId a{0, 4 - k};
         const QuadId b{1, 2 + k};
         const RandomSamples samples = randomSamples(rng, 10);
-        told.samples.addColored(a, samples.own);
-        told.samples.addPartner(a, b, samples.partner);
+        told.samples.addPhotometric(a, samples.own);
+        told.samples.addCross(a, b, samples.target);
         system.addSamples(a, samples.own, told.now[0].quad(a.cell));
-        system.addPartner(a, told.now[0].quad(a.cell), b, told.now[1].quad(b.cell), samples.partner);
+        system.addCross(a, told.now[0].quad(a.cell), b, told.now[1].quad(b.cell), samples.target);
     }
 }
 
-/// Links between neighbours, pulls on two quads, samples on all but those two.
+/// Links between neighbours, priors on two quads, samples on all but those two.
 Told tell(ColorSystem& system, uint64_t seed)
 {
     Told told;
@@ -117,12 +117,12 @@ Told tell(ColorSystem& system, uint64_t seed)
                 }
             if (cell == 1)
             {
-                told.pulls.push_back({{image, cell}, 0.8});
-                system.addPull({image, cell}, 0.8);
+                told.priors.push_back({{image, cell}, 0.8});
+                system.addPrior({image, cell}, 0.8);
                 continue;
             }
-            const ColoredBlock block = randomColoredBlock(rng, 12);
-            told.samples.addColored({image, cell}, block);
+            const PhotometricBlock block = randomPhotometricBlock(rng, 12);
+            told.samples.addPhotometric({image, cell}, block);
             system.addSamples({image, cell}, block, told.now[image].quad(cell));
         }
     return told;
@@ -187,7 +187,7 @@ TEST(Gcpw_ColorSystem, the_solution_does_not_depend_on_the_start)
     EXPECT_LT((stacked(one) - stacked(other)).norm(), 1e-3);
 }
 
-TEST(Gcpw_ColorSystem, a_held_grid_keeps_its_colors_and_the_other_is_best_beside_it)
+TEST(Gcpw_ColorSystem, a_fixed_grid_keeps_its_colors_and_the_other_is_best_beside_it)
 {
     ColorSystem system({FIRST, SECOND}, {true, false});
     const Told told = tell(system, 5);
@@ -195,34 +195,34 @@ TEST(Gcpw_ColorSystem, a_held_grid_keeps_its_colors_and_the_other_is_best_beside
     const Eigen::VectorXd before = stacked(grids);
     ASSERT_EQ(system.solve(grids), SolveStatus::Solved);
     const Eigen::VectorXd after = stacked(grids);
-    const Eigen::Index held = 6 * FIRST.cellCount();
-    EXPECT_EQ(before.head(held), after.head(held));
+    const Eigen::Index fixed = 6 * FIRST.cellCount();
+    EXPECT_EQ(before.head(fixed), after.head(fixed));
     EXPECT_GT((before - after).norm(), 0.01);
-    EXPECT_LT(steepest(told, after, held, after.size()), 1e-3 * steepest(told, before, held, after.size()));
+    EXPECT_LT(steepest(told, after, fixed, after.size()), 1e-3 * steepest(told, before, fixed, after.size()));
 }
 
-TEST(Gcpw_ColorSystem, without_samples_pulls_and_links_lead_to_the_identity)
+TEST(Gcpw_ColorSystem, without_samples_prior_and_links_lead_to_the_identity)
 {
     ColorSystem system({FIRST, SECOND}, {false, false});
     const Told told = tell(system, 7);
     system.clearSamples();
     std::vector<ColorGrid> grids = randomGrids(8);
-    EXPECT_GT(system.regularEnergy(grids), 1);
+    EXPECT_GT(system.regularizationEnergy(grids), 1);
     ASSERT_EQ(system.solve(grids), SolveStatus::Solved);
     EXPECT_LT((stacked(grids) - stacked({ColorGrid(FIRST), ColorGrid(SECOND)})).norm(), 1e-3);
-    EXPECT_LT(system.regularEnergy(grids), 1e-6);
+    EXPECT_LT(system.regularizationEnergy(grids), 1e-6);
 }
 
-TEST(Gcpw_ColorSystem, regular_energy_counts_every_link_and_pull_once)
+TEST(Gcpw_ColorSystem, regular_energy_counts_every_link_and_prior_once)
 {
     ColorSystem system({FIRST, SECOND}, {false, false});
     const Told told = tell(system, 9);
     const std::vector<ColorGrid> grids = randomGrids(10);
-    EXPECT_NEAR(system.regularEnergy(grids), told.regular(stacked(grids)), 1e-9);
-    system.clearPulls();
+    EXPECT_NEAR(system.regularizationEnergy(grids), told.regular(stacked(grids)), 1e-9);
+    system.clearPriors();
     Told without = told;
-    without.pulls.clear();
-    EXPECT_NEAR(system.regularEnergy(grids), without.regular(stacked(grids)), 1e-9);
+    without.priors.clear();
+    EXPECT_NEAR(system.regularizationEnergy(grids), without.regular(stacked(grids)), 1e-9);
 }
 
 TEST(Gcpw_ColorSystem, colors_that_nothing_holds_are_refused_and_left_alone)
@@ -233,7 +233,7 @@ TEST(Gcpw_ColorSystem, colors_that_nothing_holds_are_refused_and_left_alone)
     EXPECT_EQ(system.solve(grids), SolveStatus::NotPositiveDefinite);
     EXPECT_EQ(stacked(grids), before);
     tell(system, 12);
-    ColoredBlock broken;
+    PhotometricBlock broken;
     broken.color_color[1][0] = std::numeric_limits<double>::quiet_NaN();
     system.addSamples({0, 2}, broken, grids[0].quad(2));
     EXPECT_EQ(system.solve(grids), SolveStatus::NotPositiveDefinite);
@@ -249,15 +249,15 @@ TEST(Gcpw_ColorSystem, eliminating_equals_the_dense_schur_complement)
     const QuadId neighbours[2] = {{0, 0}, {0, 2}};
     for (const QuadId& other : neighbours)
         system.addDifference(quad, other, LINK);
-    system.addPull(quad, 0.6);
+    system.addPrior(quad, 0.6);
     RNG rng = seeded(14);
-    const ColoredBlock block = randomColoredBlock(rng, 9);
+    const PhotometricBlock block = randomPhotometricBlock(rng, 9);
 
-    // All fourteen unknowns of the quad, its neighbours' colours held where they are.
+    // All fourteen unknowns of the quad, its neighbours' colours fixed where they are.
     Eigen::Matrix<double, 14, 14> matrix = Eigen::Matrix<double, 14, 14>::Zero();
     Eigen::Matrix<double, 14, 1> gradient = Eigen::Matrix<double, 14, 1>::Zero();
-    RecordingSink one({Lattice(Size(10, 10), 1, 1)});
-    one.addColored({0, 0}, block);
+    RecordingEquations one({Lattice(Size(10, 10), 1, 1)});
+    one.addPhotometric({0, 0}, block);
     matrix = one.matrix();
     gradient = one.gradient();
     Eigen::Matrix2d link;
@@ -279,7 +279,7 @@ TEST(Gcpw_ColorSystem, eliminating_equals_the_dense_schur_complement)
     const Eigen::MatrixXd schur = matrix.topLeftCorner<8, 8>() - lift * matrix.bottomLeftCorner<6, 8>();
     const Eigen::VectorXd reduced = gradient.head<8>() - lift * gradient.tail<6>();
 
-    ColoredBlock eliminated = block;
+    PhotometricBlock eliminated = block;
     system.eliminate(quad, now, eliminated);
     for (int i = 0; i < 8; ++i)
     {
@@ -293,9 +293,9 @@ TEST(Gcpw_ColorSystem, a_color_that_nothing_holds_is_not_eliminated)
 {
     ColorSystem system({FIRST, SECOND}, {false, false});
     RNG rng = seeded(15);
-    ColoredBlock block;
+    PhotometricBlock block;
     block.mesh_gradient = randomRow(rng);
-    ColoredBlock eliminated = block;
+    PhotometricBlock eliminated = block;
     system.eliminate({0, 3}, randomGrids(16), eliminated);
     EXPECT_EQ(eliminated.mesh_gradient, block.mesh_gradient);
 }

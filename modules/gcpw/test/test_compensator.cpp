@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include <limits>
-#include "color/color_correction.hpp"
+#include "rendering/color_correction.hpp"
 #include "refusal.hpp"
 #include "rig_scene.hpp"
 

@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include <Eigen/Cholesky>
-#include "energy/conjugate_gradient.hpp"
+#include "solver/conjugate_gradient.hpp"
 #include "seeded.hpp"
 
 namespace opencv_test { namespace {

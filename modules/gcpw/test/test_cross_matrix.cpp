@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include <Eigen/Core>
-#include "energy/cross_matrix.hpp"
+#include "solver/cross_matrix.hpp"
 #include "random_problem.hpp"
 
 namespace opencv_test { namespace {

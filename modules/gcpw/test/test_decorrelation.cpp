@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include "bent_mesh.hpp"
-#include "pipeline/better_start.hpp"
-#include "pipeline/decorrelation.hpp"
+#include "optimization/best_candidate.hpp"
+#include "optimization/decorrelation.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {

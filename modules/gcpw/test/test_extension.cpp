@@ -1,7 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
-#include "imaging/extension.hpp"
+#include "rendering/extension.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {

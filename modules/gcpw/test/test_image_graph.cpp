@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <limits>
-#include "pipeline/image_graph.hpp"
+#include "registration/image_graph.hpp"
 
 namespace opencv_test { namespace {
 
@@ -43,7 +43,7 @@ TEST(Gcpw_ImageGraph, a_wrapping_canvas_joins_its_ends)
 {
     const std::vector<Overlap> overlaps = findOverlaps({Point(0, 0), Point(340, 0)}, fullMasks(2), 400);
     ASSERT_EQ(overlaps.size(), 1u);
-    EXPECT_EQ(overlaps[0].turns_b, -1);
+    EXPECT_EQ(overlaps[0].period_offset_b, -1);
     EXPECT_EQ(overlaps[0].area, 40 * 80);
 }
 
@@ -105,7 +105,7 @@ TEST(Gcpw_ImageGraph, corners_may_lie_at_the_ends_of_the_numbers)
     const std::vector<Point> ends = {Point(far, 0), Point(-far - 1, 0)};
     const std::vector<Overlap> wrapped = findOverlaps(ends, masks, 100);
     ASSERT_EQ(wrapped.size(), 2u) << "on both sides";
-    EXPECT_EQ(wrapped[0].turns_b, 42949672);
+    EXPECT_EQ(wrapped[0].period_offset_b, 42949672);
     EXPECT_EQ(wrapped[0].area, 5 * 80);
     EXPECT_EQ(wrapped[1].area, 95 * 80);
     EXPECT_EQ(withoutRepetition(wrapped, ends, masks, 100, 1).size(), 2u);

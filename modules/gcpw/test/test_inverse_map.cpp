@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include "bent_mesh.hpp"
-#include "model/inverse_map.hpp"
+#include "rendering/inverse_map.hpp"
 
 namespace opencv_test { namespace {
 

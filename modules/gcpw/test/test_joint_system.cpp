@@ -2,10 +2,10 @@
 #include "test_precomp.hpp"
 
 #include <Eigen/Cholesky>
-#include "energy/joint_system.hpp"
+#include "solver/joint_system.hpp"
 #include "random_problem.hpp"
-#include "recording_sink.hpp"
-#include "terms/color_smoothness_term.hpp"
+#include "recording_equations.hpp"
+#include "energy/color_smoothness_term.hpp"
 
 namespace opencv_test { namespace {
 
@@ -23,25 +23,25 @@ public:
     {
         RNG rng = seeded(seed);
         for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
-            record_.addColored({0, cell}, randomColoredBlock(rng, 30));
+            record_.addPhotometric({0, cell}, randomPhotometricBlock(rng, 30));
     }
 
     int unknowns() const { return record_.columns(); }
 
-    /// Pours the blocks at the displacement `x` of all unknowns from the start (colours start at the identity).
-    void pour(const Eigen::VectorXd& x, ResidualSink& sink) const
+    /// Accumulates the blocks at the displacement `x` of all unknowns from the start (colours start at the identity).
+    void accumulate(const Eigen::VectorXd& x, NormalEquations& equations) const
     {
-        for (const RecordingSink::Block& item : record_.blocks)
+        for (const RecordingEquations::Block& item : record_.blocks)
         {
-            RecordingSink one({LATTICE});
-            one.addColored(item.quad, item.block);
+            RecordingEquations one({LATTICE});
+            one.addPhotometric(item.quad, item.block);
             const Eigen::VectorXd moved = one.gradient() + one.matrix() * x;
-            ColoredBlock block = item.block;
+            PhotometricBlock block = item.block;
             for (int k = 0; k < 8; ++k)
                 block.mesh_gradient[k] = moved[one.meshColumn(item.quad, k)];
             for (int k = 0; k < 6; ++k)
                 block.color_gradient[k / 2][k % 2] = moved[one.colorColumn(item.quad, k)];
-            sink.addColored(item.quad, block);
+            equations.addPhotometric(item.quad, block);
         }
     }
 
@@ -80,7 +80,7 @@ private:
         return matrix;
     }
 
-    RecordingSink record_;
+    RecordingEquations record_;
 };
 
 struct State
@@ -114,7 +114,7 @@ TEST(Gcpw_JointSystem, repeated_steps_reach_the_minimum_of_all_unknowns_together
     {
         system.setZero();
         system.addDamping(DAMPING);
-        problem.pour(state.stacked(), system);
+        problem.accumulate(state.stacked(), system);
         MeshStep step;
         ASSERT_EQ(system.solveMeshes(state.colors, step), SolveStatus::Solved);
         ASSERT_EQ(system.solveColorsAfter(step, state.colors), SolveStatus::Solved);
@@ -138,7 +138,7 @@ TEST(Gcpw_JointSystem, colors_alone_are_best_while_the_mesh_stands_still)
     JointSystem system({LATTICE}, {false}, {false});
     addColorSmoothness(0, LATTICE, SMOOTHNESS, system.colors());
     State state;
-    problem.pour(state.stacked(), system);
+    problem.accumulate(state.stacked(), system);
     ASSERT_EQ(system.solveColors(state.colors), SolveStatus::Solved);
     const Eigen::VectorXd x = state.stacked();
     const double energy = problem.energy(x);
@@ -160,8 +160,8 @@ TEST(Gcpw_JointSystem, held_colors_leave_the_mesh_step_of_the_mesh_alone)
     State state;
     joint.addDamping(DAMPING);
     meshes.addDamping(DAMPING);
-    problem.pour(state.stacked(), joint);
-    problem.pour(state.stacked(), meshes);
+    problem.accumulate(state.stacked(), joint);
+    problem.accumulate(state.stacked(), meshes);
     MeshStep steps[2];
     ASSERT_EQ(joint.solveMeshes(state.colors, steps[0]), SolveStatus::Solved);
     ASSERT_EQ(meshes.solve(steps[1]), SolveStatus::Solved);
@@ -173,14 +173,14 @@ TEST(Gcpw_JointSystem, a_second_solve_after_further_blocks_eliminates_once)
     const Quadratic problem(5);
     JointSystem systems[2] = {{{LATTICE}, {false}, {false}}, {{LATTICE}, {false}, {false}}};
     RNG rng = seeded(6);
-    const ColoredBlock more = randomColoredBlock(rng, 5);
+    const PhotometricBlock more = randomPhotometricBlock(rng, 5);
     MeshStep steps[2];
     const State state;
     for (int i = 0; i < 2; ++i)
     {
         addColorSmoothness(0, LATTICE, SMOOTHNESS, systems[i].colors());
         systems[i].addDamping(DAMPING);
-        problem.pour(state.stacked(), systems[i]);
+        problem.accumulate(state.stacked(), systems[i]);
         if (i == 1)
         {
             ASSERT_EQ(systems[i].solveMeshes(state.colors, steps[i]), SolveStatus::Solved);
@@ -199,11 +199,11 @@ TEST(Gcpw_JointSystem, set_to_zero_it_forgets_samples_and_keeps_the_smoothness)
     addColorSmoothness(0, LATTICE, SMOOTHNESS, system.colors());
     State state;
     state.colors[0].quad(4)[0] = {1.3, 0.1};
-    const double before = system.colors().regularEnergy(state.colors);
+    const double before = system.colors().regularizationEnergy(state.colors);
     EXPECT_GT(before, 0.1);
-    problem.pour(State().stacked(), system);
+    problem.accumulate(State().stacked(), system);
     system.setZero();
-    EXPECT_EQ(system.colors().regularEnergy(state.colors), before);
+    EXPECT_EQ(system.colors().regularizationEnergy(state.colors), before);
     system.addDamping(1);
     MeshStep step;
     ASSERT_EQ(system.solveMeshes(state.colors, step), SolveStatus::Solved);

@@ -1,7 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
-#include "matching/keypoints.hpp"
+#include "registration/keypoints.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {
@@ -17,7 +17,7 @@ Mat randomDescriptors(int count, uint64_t seed)
     return descriptors;
 }
 
-/// Keypoints on a grid 50 px apart with unlike descriptors.
+/// Keypoints on a grid 50 px apart with decorrelation descriptors.
 Keypoints someKeypoints(int count, uint64_t seed)
 {
     Keypoints keypoints;

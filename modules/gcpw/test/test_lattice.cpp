@@ -38,17 +38,17 @@ TEST(Gcpw_Lattice, a_located_point_is_the_weighted_mean_of_its_corners)
         const CellPoint point = lattice.locate(p);
         Point2d mean;
         for (int k = 0; k < 4; ++k)
-            mean += point.weight[k] * lattice.restVertex(lattice.vertexOf(point.cell, k));
+            mean += point.weight[k] * lattice.referenceVertex(lattice.vertexOf(point.cell, k));
         EXPECT_LT(cv::norm(mean - p), 1e-10);
-        EXPECT_LT(cv::norm(lattice.restPoint(point) - p), 1e-10);
+        EXPECT_LT(cv::norm(lattice.referencePoint(point) - p), 1e-10);
     }
 }
 
 TEST(Gcpw_Lattice, it_covers_the_pixel_squares_and_no_more)
 {
     const Lattice lattice(Size(103, 57), 7, 5);
-    EXPECT_EQ(lattice.restVertex(0), Point2d(-0.5, -0.5));
-    EXPECT_LT(cv::norm(lattice.restVertex(lattice.vertexCount() - 1) - Point2d(102.5, 56.5)), 1e-12);
+    EXPECT_EQ(lattice.referenceVertex(0), Point2d(-0.5, -0.5));
+    EXPECT_LT(cv::norm(lattice.referenceVertex(lattice.vertexCount() - 1) - Point2d(102.5, 56.5)), 1e-12);
     EXPECT_TRUE(lattice.contains(Point2d(-0.5, -0.5)));
     EXPECT_TRUE(lattice.contains(Point2d(102.5, 56.5)));
     for (const Point2d& outside : {Point2d(-0.51, 3), Point2d(3, -0.51), Point2d(102.51, 3), Point2d(3, 56.51)})
@@ -62,8 +62,8 @@ TEST(Gcpw_Lattice, a_lattice_of_the_same_cells_fits_the_image_at_any_scale)
     const Lattice large(Size(640, 480), 8, 6);
     for (int i = 0; i < small.vertexCount(); ++i)
     {
-        const Point2d p = small.restVertex(i) + Point2d(0.5, 0.5);
-        EXPECT_LT(cv::norm(10 * p - Point2d(0.5, 0.5) - large.restVertex(i)), 1e-10);
+        const Point2d p = small.referenceVertex(i) + Point2d(0.5, 0.5);
+        EXPECT_LT(cv::norm(10 * p - Point2d(0.5, 0.5) - large.referenceVertex(i)), 1e-10);
     }
 }
 
@@ -82,7 +82,7 @@ TEST(Gcpw_Lattice, points_outside_extrapolate_from_the_nearest_cell)
     const Lattice lattice(Size(30, 20), 3, 2);
     const CellPoint point = lattice.locate(Point2d(-6, 25));
     EXPECT_EQ(point.cell, 3);
-    EXPECT_LT(cv::norm(lattice.restPoint(point) - Point2d(-6, 25)), 1e-12);
+    EXPECT_LT(cv::norm(lattice.referencePoint(point) - Point2d(-6, 25)), 1e-12);
     EXPECT_EQ(lattice.locate(Point2d(1e6, -1e6)).cell, 2);
 }
 

@@ -3,7 +3,7 @@
 
 #include "bent_mesh.hpp"
 #include "term_laws.hpp"
-#include "terms/line_term.hpp"
+#include "energy/line_term.hpp"
 
 namespace opencv_test { namespace {
 
@@ -14,7 +14,7 @@ const Lattice PARTNER(Size(100, 80), 5, 4);
 const double STEP = 5;
 const int MOVING_COLUMNS = 2 * MOVING.vertexCount();
 
-/// An affine moving mesh over a partner at rest: straight lines stay straight.
+/// An affine moving mesh over a target at rest: straight lines stay straight.
 TermState affineState()
 {
     return TermState({affineMesh(MeshGrid(MOVING), Matx22d(1.1, 0.1, -0.05, 0.95), Point2d(6, 9)), MeshGrid(PARTNER)});
@@ -42,20 +42,20 @@ std::vector<LineMatch> matchesOf(const TermState& state, int count, double error
     return matches;
 }
 
-PourTerm pourLines(const std::vector<LineMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
+LinearizeTerm accumulateLines(const std::vector<LineMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
 {
     const LineTerm term(0, 1, MOVING, PARTNER, matches, STEP, weight);
-    return [term, loss](const TermState& state, ResidualSink& sink)
-    { return term.linearize(state.meshes[0], state.meshes[1], loss, sink); };
+    return [term, loss](const TermState& state, NormalEquations& equations)
+    { return term.linearize(state.meshes[0], state.meshes[1], loss, equations); };
 }
 
 TEST(Gcpw_LineTerm, it_is_zero_at_the_truth)
 {
     const TermState truth = affineState();
-    RecordingSink sink(truth.lattices());
-    EXPECT_NEAR(pourLines(matchesOf(truth, 20, 0, 3), 2)(truth, sink), 0, 1e-15);
-    EXPECT_FALSE(sink.rows.empty());
-    EXPECT_LT(sink.gradient().norm(), 1e-6);
+    RecordingEquations equations(truth.lattices());
+    EXPECT_NEAR(accumulateLines(matchesOf(truth, 20, 0, 3), 2)(truth, equations), 0, 1e-15);
+    EXPECT_FALSE(equations.rows.empty());
+    EXPECT_LT(equations.gradient().norm(), 1e-6);
 }
 
 TEST(Gcpw_LineTerm, samples_lie_every_few_pixels_from_end_to_end)
@@ -64,16 +64,16 @@ TEST(Gcpw_LineTerm, samples_lie_every_few_pixels_from_end_to_end)
     LineMatch match;
     match.a = {Point2d(10, 10), Point2d(10 + 23, 10)};
     match.b = {Point2d(10, 20), Point2d(40, 20)};
-    RecordingSink sink(state.lattices());
-    pourLines({match}, 1)(state, sink);
-    ASSERT_EQ(sink.rows.size(), 5u); // 23 px: four steps of at least 5 px
+    RecordingEquations equations(state.lattices());
+    accumulateLines({match}, 1)(state, equations);
+    ASSERT_EQ(equations.rows.size(), 5u); // 23 px: four steps of at least 5 px
     match.a.end = match.a.start + Point2d(2, 0);
-    RecordingSink of_short(state.lattices());
-    pourLines({match}, 1)(state, of_short);
+    RecordingEquations of_short(state.lattices());
+    accumulateLines({match}, 1)(state, of_short);
     EXPECT_EQ(of_short.rows.size(), 2u) << "both ends at least";
 }
 
-TEST(Gcpw_LineTerm, its_energy_is_the_weighted_sum_of_squared_distances_to_the_partners_line)
+TEST(Gcpw_LineTerm, its_energy_is_the_weighted_sum_of_squared_distances_to_the_target_line)
 {
     const TermState state = bentState();
     LineMatch match;
@@ -84,33 +84,33 @@ TEST(Gcpw_LineTerm, its_energy_is_the_weighted_sum_of_squared_distances_to_the_p
     double expected = 0;
     for (int k = 0; k <= 10; ++k)
         expected += 2 * 0.7 * std::pow(line.distance(state.meshes[0].warp(match.a.at(0.1 * k))), 2);
-    RecordingSink sink(state.lattices());
-    EXPECT_NEAR(pourLines({match}, 2)(state, sink), expected, 1e-9 * expected);
+    RecordingEquations equations(state.lattices());
+    EXPECT_NEAR(accumulateLines({match}, 2)(state, equations), expected, 1e-9 * expected);
 }
 
 TEST(Gcpw_LineTerm, energy_equals_the_sum_of_squared_rows)
 {
     const TermState state = bentState();
-    expectEnergyIsSumOfRows(pourLines(matchesOf(affineState(), 20, 5, 4), 2), state);
+    expectEnergyIsSumOfRows(accumulateLines(matchesOf(affineState(), 20, 5, 4), 2), state);
 }
 
 TEST(Gcpw_LineTerm, jacobian_by_the_moving_image_equals_finite_differences)
 {
     const TermState state = bentState();
-    const PourTerm pour = pourLines(matchesOf(affineState(), 20, 5, 5), 2);
-    expectExactlyQuadratic(pour, state, 0, MOVING_COLUMNS, 2.0, 1e-9);
-    expectGradientIsSlope(pour, state, 0, MOVING_COLUMNS, 1e-3, 1e-7);
+    const LinearizeTerm accumulate = accumulateLines(matchesOf(affineState(), 20, 5, 5), 2);
+    expectExactlyQuadratic(accumulate, state, 0, MOVING_COLUMNS, 2.0, 1e-9);
+    expectGradientIsSlope(accumulate, state, 0, MOVING_COLUMNS, 1e-3, 1e-7);
 }
 
 TEST(Gcpw_LineTerm, a_robust_gradient_is_the_slope_of_the_robust_energy)
 {
-    expectGradientIsSlope(pourLines(matchesOf(affineState(), 20, 5, 6), 2, RobustLoss(2)), bentState(), 0,
+    expectGradientIsSlope(accumulateLines(matchesOf(affineState(), 20, 5, 6), 2, RobustLoss(2)), bentState(), 0,
                           MOVING_COLUMNS, 1e-4, 1e-6);
 }
 
-TEST(Gcpw_LineTerm, jacobian_by_the_partner_equals_finite_differences_while_the_segment_stays_straight)
+TEST(Gcpw_LineTerm, jacobian_by_the_target_equals_finite_differences_while_the_segment_stays_straight)
 {
-    // A segment along a row of one quad of the partner: its points move as its two ends do, so that the row is exact.
+    // A segment along a row of one quad of the target: its points move as its two ends do, so that the row is exact.
     const TermState state = affineState();
     LineMatch match;
     match.b = {Point2d(22, 30), Point2d(37, 30)};
@@ -122,9 +122,9 @@ TEST(Gcpw_LineTerm, jacobian_by_the_partner_equals_finite_differences_while_the_
     };
     match.a = {inMoving(Point2d(24, 33)), inMoving(Point2d(35, 31))};
     ASSERT_EQ(PARTNER.locate(match.b.start).cell, PARTNER.locate(match.b.end).cell);
-    const PourTerm pour = pourLines({match}, 1);
-    RecordingSink sink(state.lattices());
-    expectGradientIsSlope(pour, state, MOVING_COLUMNS, sink.meshColumns(), 1e-4, 1e-6);
+    const LinearizeTerm accumulate = accumulateLines({match}, 1);
+    RecordingEquations equations(state.lattices());
+    expectGradientIsSlope(accumulate, state, MOVING_COLUMNS, equations.meshColumns(), 1e-4, 1e-6);
 }
 
 TEST(Gcpw_LineTerm, sliding_along_the_line_changes_nothing)
@@ -133,13 +133,13 @@ TEST(Gcpw_LineTerm, sliding_along_the_line_changes_nothing)
     LineMatch match;
     match.b = {Point2d(20, 20), Point2d(70, 50)};
     match.a = {Point2d(10, 12), Point2d(50, 30)};
-    const PourTerm pour = pourLines({match}, 1);
+    const LinearizeTerm accumulate = accumulateLines({match}, 1);
     TermState slid = state;
     slid.meshes[0] = affineMesh(state.meshes[0], Matx22d::eye(), 0.2 * match.b.direction());
-    RecordingSink one(state.lattices());
-    RecordingSink other(state.lattices());
-    EXPECT_GT(pour(state, one), 1);
-    EXPECT_NEAR(pour(state, one), pour(slid, other), 1e-9);
+    RecordingEquations one(state.lattices());
+    RecordingEquations other(state.lattices());
+    EXPECT_GT(accumulate(state, one), 1);
+    EXPECT_NEAR(accumulate(state, one), accumulate(slid, other), 1e-9);
 }
 
 TEST(Gcpw_LineTerm, moving_both_images_alike_changes_nothing)
@@ -148,11 +148,11 @@ TEST(Gcpw_LineTerm, moving_both_images_alike_changes_nothing)
     TermState shifted = state;
     for (MeshGrid& mesh : shifted.meshes)
         mesh = affineMesh(mesh, Matx22d::eye(), Point2d(13, -9));
-    const PourTerm pour = pourLines(matchesOf(affineState(), 20, 5, 7), 2);
-    RecordingSink one(state.lattices());
-    RecordingSink other(state.lattices());
-    EXPECT_NEAR(pour(state, one), pour(shifted, other), 1e-8);
-    for (const RecordingSink::Row& row : one.rows)
+    const LinearizeTerm accumulate = accumulateLines(matchesOf(affineState(), 20, 5, 7), 2);
+    RecordingEquations one(state.lattices());
+    RecordingEquations other(state.lattices());
+    EXPECT_NEAR(accumulate(state, one), accumulate(shifted, other), 1e-8);
+    for (const RecordingEquations::Row& row : one.rows)
         for (int axis = 0; axis < 2; ++axis)
         {
             double sum = 0;
@@ -171,7 +171,7 @@ TEST(Gcpw_LineTerm, distances_are_root_mean_squares_in_the_order_given)
     ASSERT_EQ(distances.size(), matches.size());
     for (size_t i = 0; i < matches.size(); ++i)
     {
-        // The partner is parallel: every sample is equally far.
+        // The target is parallel: every sample is equally far.
         const double expected = std::abs(matches[i].b.line().distance(state.meshes[0].warp(matches[i].a.start)));
         EXPECT_NEAR(distances[i], expected, 1e-9);
     }
@@ -180,23 +180,23 @@ TEST(Gcpw_LineTerm, distances_are_root_mean_squares_in_the_order_given)
 TEST(Gcpw_LineTerm, without_matches_there_are_no_rows)
 {
     const TermState state = bentState();
-    RecordingSink sink(state.lattices());
-    EXPECT_EQ(pourLines({}, 2)(state, sink), 0);
-    EXPECT_TRUE(sink.empty());
+    RecordingEquations equations(state.lattices());
+    EXPECT_EQ(accumulateLines({}, 2)(state, equations), 0);
+    EXPECT_TRUE(equations.empty());
 }
 
-TEST(Gcpw_LineTerm, a_partner_without_length_gives_no_rows)
+TEST(Gcpw_LineTerm, a_target_without_length_gives_no_rows)
 {
     const TermState state = affineState();
     LineMatch match;
     match.a = {Point2d(10, 10), Point2d(40, 10)};
     match.b = {Point2d(20, 20), Point2d(20, 20)};
-    RecordingSink sink(state.lattices());
-    EXPECT_EQ(pourLines({match}, 1)(state, sink), 0);
-    EXPECT_TRUE(sink.empty());
+    RecordingEquations equations(state.lattices());
+    EXPECT_EQ(accumulateLines({match}, 1)(state, equations), 0);
+    EXPECT_TRUE(equations.empty());
 }
 
-TEST(Gcpw_LineTerm, a_partner_whose_ends_a_mesh_brings_together_gives_no_rows)
+TEST(Gcpw_LineTerm, a_target_whose_ends_a_mesh_brings_together_gives_no_rows)
 {
     TermState state = affineState();
     for (Point2d& vertex : state.meshes[1].vertices())
@@ -204,9 +204,9 @@ TEST(Gcpw_LineTerm, a_partner_whose_ends_a_mesh_brings_together_gives_no_rows)
     LineMatch match;
     match.a = {Point2d(10, 10), Point2d(40, 10)};
     match.b = {Point2d(20, 20), Point2d(60, 20)};
-    RecordingSink sink(state.lattices());
-    EXPECT_EQ(pourLines({match}, 1)(state, sink), 0);
-    EXPECT_TRUE(sink.empty());
+    RecordingEquations equations(state.lattices());
+    EXPECT_EQ(accumulateLines({match}, 1)(state, equations), 0);
+    EXPECT_TRUE(equations.empty());
     EXPECT_EQ(LineTerm(0, 1, MOVING, PARTNER, {match}, STEP, 1).distances(state.meshes[0], state.meshes[1])[0],
               std::numeric_limits<double>::infinity());
 }
@@ -225,9 +225,9 @@ TEST(Gcpw_LineTerm, matches_that_are_not_finite_give_no_rows)
         matches[2].b.start.y = bad;
         matches[3].b.end.x = bad;
         matches[4].weight = bad < 1e308 ? -1 : bad;
-        RecordingSink sink(state.lattices());
-        EXPECT_EQ(pourLines(matches, 1)(state, sink), 0) << bad;
-        EXPECT_TRUE(sink.empty()) << bad;
+        RecordingEquations equations(state.lattices());
+        EXPECT_EQ(accumulateLines(matches, 1)(state, equations), 0) << bad;
+        EXPECT_TRUE(equations.empty()) << bad;
     }
 }
 
@@ -238,9 +238,9 @@ TEST(Gcpw_LineTerm, a_tiny_step_does_not_flood_memory)
     match.a = {Point2d(10, 10), Point2d(40, 10)};
     match.b = {Point2d(20, 20), Point2d(60, 20)};
     const LineTerm term(0, 1, MOVING, PARTNER, {match}, 1e-300, 1);
-    RecordingSink sink(state.lattices());
-    EXPECT_GT(term.linearize(state.meshes[0], state.meshes[1], RobustLoss(), sink), 0);
-    EXPECT_EQ(sink.rows.size(), 10001u);
+    RecordingEquations equations(state.lattices());
+    EXPECT_GT(term.linearize(state.meshes[0], state.meshes[1], RobustLoss(), equations), 0);
+    EXPECT_EQ(equations.rows.size(), 10001u);
 }
 
 TEST(Gcpw_LineTerm, samples_outside_the_moving_image_give_no_rows)
@@ -249,9 +249,9 @@ TEST(Gcpw_LineTerm, samples_outside_the_moving_image_give_no_rows)
     LineMatch match;
     match.a = {Point2d(-20, 30), Point2d(-10, 30)};
     match.b = {Point2d(20, 20), Point2d(40, 20)};
-    RecordingSink sink(state.lattices());
-    EXPECT_EQ(pourLines({match}, 1)(state, sink), 0);
-    EXPECT_TRUE(sink.empty());
+    RecordingEquations equations(state.lattices());
+    EXPECT_EQ(accumulateLines({match}, 1)(state, equations), 0);
+    EXPECT_TRUE(equations.empty());
 }
 
 TEST(Gcpw_LineTerm, a_step_that_leads_nowhere_is_refused)

@@ -50,7 +50,7 @@ TEST(Gcpw_MeshGrid, inverting_undoes_warping_from_any_hint)
             int hint = rng.uniform(-5, LATTICE.cellCount() + 5);
             CellPoint point;
             ASSERT_TRUE(mesh.invert(mesh.warp(p), hint, point)) << p << " seed " << seed;
-            ASSERT_LT(cv::norm(LATTICE.restPoint(point) - p), 1e-6);
+            ASSERT_LT(cv::norm(LATTICE.referencePoint(point) - p), 1e-6);
             ASSERT_EQ(hint, point.cell);
         }
     }

@@ -2,9 +2,9 @@
 #include "test_precomp.hpp"
 
 #include <Eigen/Cholesky>
-#include "energy/mesh_system.hpp"
+#include "solver/mesh_system.hpp"
 #include "random_problem.hpp"
-#include "recording_sink.hpp"
+#include "recording_equations.hpp"
 
 namespace opencv_test { namespace {
 
@@ -14,11 +14,11 @@ const double DAMPING = 0.3;
 const Lattice FIRST(Size(80, 60), 4, 3);
 const Lattice SECOND(Size(50, 70), 2, 5);
 
-/// Pours the same rows and blocks into several sinks.
-class Both : public ResidualSink
+/// Accumulates the same rows and blocks into several sinks.
+class Both : public NormalEquations
 {
 public:
-    Both(ResidualSink& one, ResidualSink& other) : one_(one), other_(other) {}
+    Both(NormalEquations& one, NormalEquations& other) : one_(one), other_(other) {}
 
     void addRow(QuadId quad, const QuadRow& row, double residual, double weight) override
     {
@@ -35,24 +35,24 @@ public:
         one_.addBlock(quad, block, gradient, energy);
         other_.addBlock(quad, block, gradient, energy);
     }
-    void addColored(QuadId quad, const ColoredBlock& block) override
+    void addPhotometric(QuadId quad, const PhotometricBlock& block) override
     {
-        one_.addColored(quad, block);
-        other_.addColored(quad, block);
+        one_.addPhotometric(quad, block);
+        other_.addPhotometric(quad, block);
     }
-    void addPartner(QuadId a, QuadId b, const PartnerBlock& block) override
+    void addCross(QuadId a, QuadId b, const CrossBlock& block) override
     {
-        one_.addPartner(a, b, block);
-        other_.addPartner(a, b, block);
+        one_.addCross(a, b, block);
+        other_.addCross(a, b, block);
     }
 
 private:
-    ResidualSink& one_;
-    ResidualSink& other_;
+    NormalEquations& one_;
+    NormalEquations& other_;
 };
 
 /// Rows of one image, blocks, and rows that tie both images.
-void pourRandomly(ResidualSink& sink, bool tied, uint64_t seed)
+void accumulateRandomly(NormalEquations& equations, bool tied, uint64_t seed)
 {
     RNG rng = seeded(seed);
     const int cells[2] = {FIRST.cellCount(), SECOND.cellCount()};
@@ -60,30 +60,30 @@ void pourRandomly(ResidualSink& sink, bool tied, uint64_t seed)
     {
         const int image = rng.uniform(0, 2);
         const QuadId quad{image, rng.uniform(0, cells[image])};
-        sink.addRow(quad, randomRow(rng), rng.uniform(-1.0, 1.0), rng.uniform(0.1, 2.0));
-        const ColoredBlock block = randomColoredBlock(rng, 2);
-        sink.addBlock({1 - image, rng.uniform(0, cells[1 - image])}, block.mesh_mesh, block.mesh_gradient,
+        equations.addRow(quad, randomRow(rng), rng.uniform(-1.0, 1.0), rng.uniform(0.1, 2.0));
+        const PhotometricBlock block = randomPhotometricBlock(rng, 2);
+        equations.addBlock({1 - image, rng.uniform(0, cells[1 - image])}, block.mesh_mesh, block.mesh_gradient,
                       block.energy);
         if (!tied)
             continue;
         const QuadId a{0, rng.uniform(0, cells[0])};
         const QuadId b{1, rng.uniform(0, cells[1])};
-        sink.addRow(a, randomRow(rng), b, randomRow(rng), rng.uniform(-1.0, 1.0), rng.uniform(0.1, 2.0));
+        equations.addRow(a, randomRow(rng), b, randomRow(rng), rng.uniform(-1.0, 1.0), rng.uniform(0.1, 2.0));
         const RandomSamples samples = randomSamples(rng, 2);
-        sink.addColored(b, samples.own);
-        sink.addPartner(b, a, samples.partner);
+        equations.addPhotometric(b, samples.own);
+        equations.addCross(b, a, samples.target);
     }
 }
 
-/// The step that a dense solver finds, over the mesh unknowns of both images; those of held images stay zero.
-Eigen::VectorXd denseStep(const RecordingSink& record, bool first_held, bool second_held)
+/// The step that a dense solver finds, over the mesh unknowns of both images; those of fixed images stay zero.
+Eigen::VectorXd denseStep(const RecordingEquations& record, bool first_held, bool second_fixed)
 {
     const int n = record.meshColumns();
     Eigen::MatrixXd matrix = record.matrix().topLeftCorner(n, n);
     Eigen::VectorXd right = -record.gradient().head(n);
     matrix.diagonal().array() += DAMPING;
     for (int k = 0; k < n; ++k)
-        if (k < 2 * FIRST.vertexCount() ? first_held : second_held)
+        if (k < 2 * FIRST.vertexCount() ? first_held : second_fixed)
         {
             matrix.row(k).setZero();
             matrix.col(k).setZero();
@@ -109,10 +109,10 @@ Eigen::VectorXd stacked(const MeshStep& step)
 TEST(Gcpw_MeshSystem, each_image_is_solved_exactly)
 {
     MeshSystem system({FIRST, SECOND}, {false, false});
-    RecordingSink record({FIRST, SECOND});
+    RecordingEquations record({FIRST, SECOND});
     Both both(system, record);
     system.addDamping(DAMPING);
-    pourRandomly(both, false, 1);
+    accumulateRandomly(both, false, 1);
     MeshStep step;
     ASSERT_EQ(system.solve(step), SolveStatus::Solved);
     const Eigen::VectorXd expected = denseStep(record, false, false);
@@ -122,17 +122,17 @@ TEST(Gcpw_MeshSystem, each_image_is_solved_exactly)
 TEST(Gcpw_MeshSystem, tied_images_are_solved_together)
 {
     MeshSystem system({FIRST, SECOND}, {false, false});
-    RecordingSink record({FIRST, SECOND});
+    RecordingEquations record({FIRST, SECOND});
     Both both(system, record);
     system.addDamping(DAMPING);
-    pourRandomly(both, true, 2);
+    accumulateRandomly(both, true, 2);
     MeshStep step;
     ASSERT_EQ(system.solve(step), SolveStatus::Solved);
     const Eigen::VectorXd expected = denseStep(record, false, false);
     EXPECT_LT((stacked(step) - expected).norm(), 2e-3 * expected.norm());
     // The ties matter, or this says nothing.
-    RecordingSink loose({FIRST, SECOND});
-    pourRandomly(loose, false, 2);
+    RecordingEquations loose({FIRST, SECOND});
+    accumulateRandomly(loose, false, 2);
     EXPECT_GT((denseStep(loose, false, false) - expected).norm(), 0.1 * expected.norm());
 }
 
@@ -143,24 +143,24 @@ TEST(Gcpw_MeshSystem, both_sides_of_samples_tie_as_two_sided_rows_do)
     const QuadId b{1, 3};
     const QuadRow row_a = randomRow(rng);
     const QuadRow row_b = randomRow(rng);
-    ColoredBlock own;
-    PartnerBlock partner;
+    PhotometricBlock own;
+    CrossBlock target;
     for (int i = 0; i < 8; ++i)
     {
         own.mesh_gradient[i] = 1.3 * 0.7 * row_a[i];
-        partner.mesh_gradient[i] = 1.3 * 0.7 * row_b[i];
+        target.mesh_gradient[i] = 1.3 * 0.7 * row_b[i];
         for (int j = 0; j < 8; ++j)
         {
             own.mesh_mesh[i][j] = 1.3 * row_a[i] * row_a[j];
-            partner.mesh_mesh[i][j] = 1.3 * row_b[i] * row_b[j];
-            partner.cross[i][j] = 1.3 * row_a[i] * row_b[j];
+            target.mesh_mesh[i][j] = 1.3 * row_b[i] * row_b[j];
+            target.cross[i][j] = 1.3 * row_a[i] * row_b[j];
         }
     }
     MeshSystem by_row({FIRST, SECOND}, {false, false});
     MeshSystem by_block({FIRST, SECOND}, {false, false});
     by_row.addRow(a, row_a, b, row_b, 0.7, 1.3);
-    by_block.addColored(a, own);
-    by_block.addPartner(a, b, partner);
+    by_block.addPhotometric(a, own);
+    by_block.addCross(a, b, target);
     MeshStep steps[2];
     by_row.addDamping(DAMPING);
     by_block.addDamping(DAMPING);
@@ -170,15 +170,15 @@ TEST(Gcpw_MeshSystem, both_sides_of_samples_tie_as_two_sided_rows_do)
     EXPECT_LT((stacked(steps[0]) - stacked(steps[1])).norm(), 1e-9);
 }
 
-TEST(Gcpw_MeshSystem, a_held_image_does_not_move_and_the_other_moves_as_if_alone)
+TEST(Gcpw_MeshSystem, a_fixed_image_does_not_move_and_the_other_moves_as_if_alone)
 {
     for (const bool first_held : {true, false})
     {
         MeshSystem system({FIRST, SECOND}, {first_held, !first_held});
-        RecordingSink record({FIRST, SECOND});
+        RecordingEquations record({FIRST, SECOND});
         Both both(system, record);
         system.addDamping(DAMPING);
-        pourRandomly(both, true, 4);
+        accumulateRandomly(both, true, 4);
         MeshStep step;
         ASSERT_EQ(system.solve(step), SolveStatus::Solved);
         EXPECT_TRUE(step[first_held ? 0 : 1].empty());
@@ -190,9 +190,9 @@ TEST(Gcpw_MeshSystem, a_held_image_does_not_move_and_the_other_moves_as_if_alone
 TEST(Gcpw_MeshSystem, the_mesh_part_of_a_colored_block_is_a_block)
 {
     RNG rng = seeded(5);
-    const ColoredBlock block = randomColoredBlock(rng, 4);
+    const PhotometricBlock block = randomPhotometricBlock(rng, 4);
     MeshSystem systems[2] = {{{FIRST, SECOND}, {false, true}}, {{FIRST, SECOND}, {false, true}}};
-    systems[0].addColored({0, 4}, block);
+    systems[0].addPhotometric({0, 4}, block);
     systems[1].addBlock({0, 4}, block.mesh_mesh, block.mesh_gradient, block.energy);
     MeshStep steps[2];
     for (int i = 0; i < 2; ++i)
@@ -212,11 +212,11 @@ TEST(Gcpw_MeshSystem, blocks_may_be_added_after_a_solve)
     for (MeshSystem* system : {&at_once, &in_turn})
     {
         system->addDamping(DAMPING);
-        pourRandomly(*system, false, 6);
+        accumulateRandomly(*system, false, 6);
     }
     ASSERT_EQ(in_turn.solve(steps[1]), SolveStatus::Solved);
     for (MeshSystem* system : {&at_once, &in_turn})
-        pourRandomly(*system, false, 7);
+        accumulateRandomly(*system, false, 7);
     ASSERT_EQ(at_once.solve(steps[0]), SolveStatus::Solved);
     ASSERT_EQ(in_turn.solve(steps[1]), SolveStatus::Solved);
     EXPECT_EQ(stacked(steps[0]), stacked(steps[1]));
@@ -225,7 +225,7 @@ TEST(Gcpw_MeshSystem, blocks_may_be_added_after_a_solve)
 TEST(Gcpw_MeshSystem, set_to_zero_it_forgets)
 {
     MeshSystem system({FIRST, SECOND}, {false, false});
-    pourRandomly(system, true, 8);
+    accumulateRandomly(system, true, 8);
     system.addDamping(7);
     system.setZero();
     system.addDamping(1);
@@ -238,7 +238,7 @@ TEST(Gcpw_MeshSystem, a_motion_that_nothing_holds_or_that_is_not_a_number_is_ref
 {
     MeshSystem system({FIRST, SECOND}, {false, true});
     MeshStep step;
-    EXPECT_EQ(system.solve(step), SolveStatus::NotPositiveDefinite) << "nothing was poured";
+    EXPECT_EQ(system.solve(step), SolveStatus::NotPositiveDefinite) << "nothing was accumulated";
     RNG rng = seeded(9);
     const QuadRow row = randomRow(rng);
     system.addRow({0, 3}, row, 1, 1);

@@ -1,7 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
-#include "pipeline/pair_matcher.hpp"
+#include "registration/pair_matcher.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {
@@ -25,15 +25,15 @@ std::vector<LineMatch> linesOf(const std::vector<Segment>& moving, const std::ve
     a.segments = moving;
     b.segments = fixed;
     const Params params;
-    return matchPair(a, b, MeshGrid(lattice, SHIFT), MeshGrid(lattice), Point2d(), params, recipeOf(Method::GCPW)).lines;
+    return matchPair(a, b, MeshGrid(lattice, SHIFT), MeshGrid(lattice), Point2d(), params, termsOf(Method::GCPW)).lines;
 }
 
 TEST(Gcpw_PairMatcher, a_line_across_the_fixed_images_border_finds_its_partner)
 {
     // Its right part is beyond the border, where the fixed image shows nothing of it.
     const Segment across = segment(100, 50, 260, 60);
-    const Segment partner{across.start + SHIFT, across.at(75.0 / 160) + SHIFT};
-    const std::vector<LineMatch> lines = linesOf({across}, {partner});
+    const Segment target{across.start + SHIFT, across.at(75.0 / 160) + SHIFT};
+    const std::vector<LineMatch> lines = linesOf({across}, {target});
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_LT(cv::norm(lines[0].a.start - across.start), 1e-9);
     EXPECT_NEAR(lines[0].a.end.x, 179.5, 1.5) << "the part inside";
@@ -43,7 +43,7 @@ TEST(Gcpw_PairMatcher, a_line_across_the_fixed_images_border_finds_its_partner)
 
 TEST(Gcpw_PairMatcher, what_is_outside_points_nowhere)
 {
-    // Nearly all of it is outside. A slope of 45 degrees from its inner end is no partner, whichever way it leads.
+    // Nearly all of it is outside. A slope of 45 degrees from its inner end is no target, whichever way it leads.
     const Segment outward = segment(179, 50, 290, 50);
     const Segment inward = segment(290, 50, 179, 50);
     const Point2d inner = Point2d(179, 50) + SHIFT;
@@ -79,7 +79,7 @@ TEST(Gcpw_PairMatcher, matches_that_no_mesh_verifies_are_not_kept)
     const Features b = detectFeatures(scene.target(), Mat(), scene.target().size(), Params());
     MeshGrid rough(Lattice(scene.source().size(), 16, 16), Point2d(96, 0));
     const MeshGrid fixed(Lattice(scene.target().size(), 16, 16));
-    const auto match = [&] { return matchPair(a, b, rough, fixed, Point2d(), Params(), recipeOf(Method::GCPW)); };
+    const auto match = [&] { return matchPair(a, b, rough, fixed, Point2d(), Params(), termsOf(Method::GCPW)); };
     ASSERT_GT(match().points.size(), 20u);
     rough.vertices()[0].x = std::numeric_limits<double>::infinity();
     const MatchSet unverified = match();
@@ -95,9 +95,9 @@ TEST(Gcpw_PairMatcher, guided_matching_looks_once_more_and_finds_more)
     const MeshGrid rough(Lattice(scene.source().size(), 16, 16), Point2d(96, 0));
     const MeshGrid fixed(Lattice(scene.target().size(), 16, 16));
     Params params;
-    const size_t guided = matchPair(a, b, rough, fixed, Point2d(), params, recipeOf(Method::GCPW)).points.size();
+    const size_t guided = matchPair(a, b, rough, fixed, Point2d(), params, termsOf(Method::GCPW)).points.size();
     params.guidedMatching = 0;
-    const size_t once = matchPair(a, b, rough, fixed, Point2d(), params, recipeOf(Method::GCPW)).points.size();
+    const size_t once = matchPair(a, b, rough, fixed, Point2d(), params, termsOf(Method::GCPW)).points.size();
     EXPECT_GT(once, 20u);
     EXPECT_GT(guided, once);
     EXPECT_EQ(Params::paper().guidedMatching, 0) << "the paper matches once";

@@ -58,7 +58,7 @@ TEST(Gcpw_PairMatchesInput, a_failed_search_gives_no_alignment_and_its_message)
     EXPECT_EQ(alignment.report().message, matches.message);
 }
 
-TEST(Gcpw_PairMatchesInput, a_mirrored_partner_has_no_alignment_and_the_message_counts_none)
+TEST(Gcpw_PairMatchesInput, a_mirrored_target_has_no_alignment_and_the_message_counts_none)
 {
     const Scene scene(smallScene());
     Mat mirrored;

@@ -2,9 +2,9 @@
 #include "test_precomp.hpp"
 
 #include "bent_mesh.hpp"
-#include "energy/mesh_system.hpp"
+#include "solver/mesh_system.hpp"
 #include "term_laws.hpp"
-#include "terms/point_term.hpp"
+#include "energy/point_term.hpp"
 
 namespace opencv_test { namespace {
 
@@ -29,30 +29,30 @@ std::vector<PointMatch> matchesOf(const TermState& state, int count, double erro
         PointMatch match;
         match.a = Point2d(rng.uniform(0.0, 79.0), rng.uniform(0.0, 59.0));
         const Point2d error(rng.uniform(-error_px, error_px), rng.uniform(-error_px, error_px));
-        CellPoint partner;
-        if (!state.meshes[1].invert(state.meshes[0].warp(match.a) + error, hint, partner))
+        CellPoint target;
+        if (!state.meshes[1].invert(state.meshes[0].warp(match.a) + error, hint, target))
             continue;
-        match.b = PARTNER.restPoint(partner);
+        match.b = PARTNER.referencePoint(target);
         match.weight = rng.uniform(0.5, 2.0);
         matches.push_back(match);
     }
     return matches;
 }
 
-PourTerm pourPoints(const std::vector<PointMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
+LinearizeTerm accumulatePoints(const std::vector<PointMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
 {
     const PointTerm term(0, 1, MOVING, PARTNER, matches, weight);
-    return [term, loss](const TermState& state, ResidualSink& sink)
-    { return term.linearize(state.meshes[0], state.meshes[1], loss, sink); };
+    return [term, loss](const TermState& state, NormalEquations& equations)
+    { return term.linearize(state.meshes[0], state.meshes[1], loss, equations); };
 }
 
 TEST(Gcpw_PointTerm, it_is_zero_at_the_truth)
 {
     const TermState truth = bentState();
-    RecordingSink sink(truth.lattices());
-    EXPECT_NEAR(pourPoints(matchesOf(truth, 30, 0, 3), 2)(truth, sink), 0, 1e-15);
-    EXPECT_EQ(sink.rows.size(), 60u);
-    EXPECT_LT(sink.gradient().norm(), 1e-6);
+    RecordingEquations equations(truth.lattices());
+    EXPECT_NEAR(accumulatePoints(matchesOf(truth, 30, 0, 3), 2)(truth, equations), 0, 1e-15);
+    EXPECT_EQ(equations.rows.size(), 60u);
+    EXPECT_LT(equations.gradient().norm(), 1e-6);
 }
 
 TEST(Gcpw_PointTerm, its_energy_is_the_weighted_sum_of_squared_distances)
@@ -65,30 +65,30 @@ TEST(Gcpw_PointTerm, its_energy_is_the_weighted_sum_of_squared_distances)
         const Point2d r = state.meshes[0].warp(match.a) - state.meshes[1].warp(match.b);
         expected += 2 * match.weight * r.dot(r);
     }
-    RecordingSink sink(state.lattices());
-    EXPECT_NEAR(pourPoints(matches, 2)(state, sink), expected, 1e-9 * expected);
+    RecordingEquations equations(state.lattices());
+    EXPECT_NEAR(accumulatePoints(matches, 2)(state, equations), expected, 1e-9 * expected);
 }
 
 TEST(Gcpw_PointTerm, energy_equals_the_sum_of_squared_rows)
 {
     const TermState state = bentState();
-    expectEnergyIsSumOfRows(pourPoints(matchesOf(state, 30, 5, 5), 2), state);
+    expectEnergyIsSumOfRows(accumulatePoints(matchesOf(state, 30, 5, 5), 2), state);
 }
 
 TEST(Gcpw_PointTerm, jacobian_equals_finite_differences)
 {
     const TermState state = bentState();
     const int all = 2 * (MOVING.vertexCount() + PARTNER.vertexCount());
-    const PourTerm pour = pourPoints(matchesOf(state, 30, 5, 6), 2);
-    expectExactlyQuadratic(pour, state, 0, all, 2.0, 1e-9);
-    expectGradientIsSlope(pour, state, 0, all, 1e-3, 1e-7);
+    const LinearizeTerm accumulate = accumulatePoints(matchesOf(state, 30, 5, 6), 2);
+    expectExactlyQuadratic(accumulate, state, 0, all, 2.0, 1e-9);
+    expectGradientIsSlope(accumulate, state, 0, all, 1e-3, 1e-7);
 }
 
 TEST(Gcpw_PointTerm, a_robust_gradient_is_the_slope_of_the_robust_energy)
 {
     const TermState state = bentState();
     const int all = 2 * (MOVING.vertexCount() + PARTNER.vertexCount());
-    expectGradientIsSlope(pourPoints(matchesOf(state, 30, 5, 7), 2, RobustLoss(2)), state, 0, all, 1e-4, 1e-6);
+    expectGradientIsSlope(accumulatePoints(matchesOf(state, 30, 5, 7), 2, RobustLoss(2)), state, 0, all, 1e-4, 1e-6);
 }
 
 TEST(Gcpw_PointTerm, moving_both_images_alike_changes_nothing)
@@ -97,12 +97,12 @@ TEST(Gcpw_PointTerm, moving_both_images_alike_changes_nothing)
     TermState shifted = state;
     for (MeshGrid& mesh : shifted.meshes)
         mesh = affineMesh(mesh, Matx22d::eye(), Point2d(13, -9));
-    const PourTerm pour = pourPoints(matchesOf(state, 30, 5, 8), 2);
-    RecordingSink one(state.lattices());
-    RecordingSink other(state.lattices());
-    EXPECT_NEAR(pour(state, one), pour(shifted, other), 1e-9);
+    const LinearizeTerm accumulate = accumulatePoints(matchesOf(state, 30, 5, 8), 2);
+    RecordingEquations one(state.lattices());
+    RecordingEquations other(state.lattices());
+    EXPECT_NEAR(accumulate(state, one), accumulate(shifted, other), 1e-9);
     // Nor do the rows feel it to first order.
-    for (const RecordingSink::Row& row : one.rows)
+    for (const RecordingEquations::Row& row : one.rows)
     {
         double sum = 0;
         for (int k = 0; k < 8; ++k)
@@ -126,9 +126,9 @@ TEST(Gcpw_PointTerm, distances_are_those_on_the_canvas_in_the_order_given)
 TEST(Gcpw_PointTerm, without_matches_there_are_no_rows)
 {
     const TermState state = bentState();
-    RecordingSink sink(state.lattices());
-    EXPECT_EQ(pourPoints({}, 2)(state, sink), 0);
-    EXPECT_TRUE(sink.empty());
+    RecordingEquations equations(state.lattices());
+    EXPECT_EQ(accumulatePoints({}, 2)(state, equations), 0);
+    EXPECT_TRUE(equations.empty());
 }
 
 TEST(Gcpw_PointTerm, a_point_outside_its_image_gives_no_rows)
@@ -141,9 +141,9 @@ TEST(Gcpw_PointTerm, a_point_outside_its_image_gives_no_rows)
     matches[1].b = Point2d(20, 90);
     matches[2].a = Point2d(std::numeric_limits<double>::quiet_NaN(), 10);
     matches[2].b = Point2d(20, 20);
-    RecordingSink sink(state.lattices());
-    EXPECT_EQ(pourPoints(matches, 2)(state, sink), 0);
-    EXPECT_TRUE(sink.empty());
+    RecordingEquations equations(state.lattices());
+    EXPECT_EQ(accumulatePoints(matches, 2)(state, equations), 0);
+    EXPECT_TRUE(equations.empty());
 }
 
 TEST(Gcpw_PointTerm, a_weight_that_is_none_gives_no_rows)
@@ -153,23 +153,23 @@ TEST(Gcpw_PointTerm, a_weight_that_is_none_gives_no_rows)
     matches[0].weight = std::numeric_limits<double>::quiet_NaN();
     matches[1].weight = std::numeric_limits<double>::infinity();
     matches[2].weight = -1;
-    RecordingSink sink(state.lattices());
-    EXPECT_EQ(pourPoints(matches, 2)(state, sink), 0);
-    EXPECT_TRUE(sink.empty());
+    RecordingEquations equations(state.lattices());
+    EXPECT_EQ(accumulatePoints(matches, 2)(state, equations), 0);
+    EXPECT_TRUE(equations.empty());
 }
 
 TEST(Gcpw_PointTerm, a_state_that_is_not_a_number_is_refused_by_the_solver)
 {
     TermState state = bentState();
-    const PourTerm pour = pourPoints(matchesOf(state, 30, 5, 10), 2);
+    const LinearizeTerm accumulate = accumulatePoints(matchesOf(state, 30, 5, 10), 2);
     MeshSystem system(state.lattices(), {false, true});
     system.addDamping(1);
     MeshStep step;
-    pour(state, system);
+    accumulate(state, system);
     EXPECT_EQ(system.solve(step), SolveStatus::Solved);
     for (Point2d& vertex : state.meshes[0].vertices())
         vertex.x = std::numeric_limits<double>::quiet_NaN();
-    pour(state, system);
+    accumulate(state, system);
     EXPECT_EQ(system.solve(step), SolveStatus::NotPositiveDefinite);
 }
 

@@ -120,8 +120,8 @@ TEST(Gcpw_Ring, a_circle_of_twelve_views_closes_to_a_third_of_a_pixel)
     ASSERT_TRUE(rig.usable()) << rig.alignment.report().message;
     EXPECT_EQ(rig.alignment.report().folds, 0);
     EXPECT_EQ(rig.alignment.report().pairs.size(), static_cast<size_t>(VIEWS));
-    const auto turned = std::count_if(rig.turns.begin(), rig.turns.end(), [](double turn) { return turn != 0; });
-    EXPECT_EQ(turned, 2) << "views across the seam of the canvas";
+    const auto rotatedAboutAxis = std::count_if(rig.turns.begin(), rig.turns.end(), [](double seam_rotation_rad) { return seam_rotation_rad != 0; });
+    EXPECT_EQ(rotatedAboutAxis, 2) << "views across the seam of the canvas";
     const Ptr<cv::detail::RotationWarper> plain = base->create(rig.scale);
     const Ptr<cv::detail::RotationWarper> refined = gcpw::GcpwWarper(base, rig).create(rig.scale);
     for (int a = 0; a < VIEWS; ++a)

@@ -1,7 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
-#include "energy/robust_loss.hpp"
+#include "solver/robust_loss.hpp"
 
 namespace opencv_test { namespace {
 

@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include "geometry/homography.hpp"
-#include "matching/rough_alignment.hpp"
+#include "registration/rough_alignment.hpp"
 #include "seeded.hpp"
 
 namespace opencv_test { namespace {
@@ -71,7 +71,7 @@ TEST(Gcpw_RoughAlignment, matches_without_a_common_homography_are_no_alignment)
     EXPECT_LT(rough.inliers, MIN_MATCHES);
 }
 
-TEST(Gcpw_RoughAlignment, a_mirrored_partner_is_no_alignment)
+TEST(Gcpw_RoughAlignment, a_mirrored_target_is_no_alignment)
 {
     Keypoints a;
     Keypoints b;
@@ -83,7 +83,7 @@ TEST(Gcpw_RoughAlignment, a_mirrored_partner_is_no_alignment)
     EXPECT_EQ(rough.inliers, 0) << "none agrees with a plausible homography";
 }
 
-TEST(Gcpw_RoughAlignment, a_partner_that_collapses_towards_a_line_is_no_alignment)
+TEST(Gcpw_RoughAlignment, a_target_that_collapses_towards_a_line_is_no_alignment)
 {
     Keypoints a;
     Keypoints b;

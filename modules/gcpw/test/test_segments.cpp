@@ -2,7 +2,7 @@
 #include "test_precomp.hpp"
 
 #include "imaging/photograph.hpp"
-#include "matching/segments.hpp"
+#include "registration/segments.hpp"
 #include "seeded.hpp"
 
 namespace opencv_test { namespace {
@@ -42,11 +42,11 @@ TEST(Gcpw_Segments, the_sides_of_a_rectangle_are_found)
                              segment(39.5, 29.5, 39.5, 89.5), segment(159.5, 29.5, 159.5, 89.5)};
     for (const Segment& side : sides)
     {
-        int partners = 0;
+        int targets = 0;
         for (const Segment& candidate : found)
-            partners += std::abs(side.line().distance(candidate.start)) < 1.5 &&
+            targets += std::abs(side.line().distance(candidate.start)) < 1.5 &&
                         std::abs(side.line().distance(candidate.end)) < 1.5 && candidate.length() > 0.7 * side.length();
-        EXPECT_GE(partners, 1) << side.start << side.end;
+        EXPECT_GE(targets, 1) << side.start << side.end;
     }
 }
 
@@ -201,16 +201,16 @@ TEST(Gcpw_Segments, partners_are_looked_for_where_they_are_expected)
 TEST(Gcpw_Segments, what_is_too_far_or_turned_or_beside_is_no_partner)
 {
     const std::vector<Segment> a = {segment(0, 0, 100, 0)};
-    const auto partners = [&](const Segment& b) { return matchSegments(a, {b}, stay, SegmentTolerance()).size(); };
-    EXPECT_EQ(partners(segment(0, 3.9, 100, 3.9)), 1u);
-    EXPECT_EQ(partners(segment(0, 4.1, 100, 4.1)), 0u);
-    EXPECT_EQ(partners(segment(100, 0, 0, 0)), 0u) << "the other hand";
-    EXPECT_EQ(partners(segment(30, -2.5, 70, 2.5)), 0u) << "turned by 7 degrees";
-    EXPECT_EQ(partners(segment(30, -1.5, 70, 1.5)), 1u) << "turned by 4 degrees";
-    EXPECT_EQ(partners(segment(110, 0, 200, 0)), 0u) << "nothing in common";
-    EXPECT_EQ(partners(segment(60, 0, 160, 0)), 0u) << "too little in common";
-    EXPECT_EQ(partners(segment(40, 0, 140, 0)), 1u);
-    EXPECT_EQ(partners(segment(20, 0, 40, 0)), 1u) << "a piece of it";
+    const auto targets = [&](const Segment& b) { return matchSegments(a, {b}, stay, SegmentTolerance()).size(); };
+    EXPECT_EQ(targets(segment(0, 3.9, 100, 3.9)), 1u);
+    EXPECT_EQ(targets(segment(0, 4.1, 100, 4.1)), 0u);
+    EXPECT_EQ(targets(segment(100, 0, 0, 0)), 0u) << "the other hand";
+    EXPECT_EQ(targets(segment(30, -2.5, 70, 2.5)), 0u) << "turned by 7 degrees";
+    EXPECT_EQ(targets(segment(30, -1.5, 70, 1.5)), 1u) << "turned by 4 degrees";
+    EXPECT_EQ(targets(segment(110, 0, 200, 0)), 0u) << "nothing in common";
+    EXPECT_EQ(targets(segment(60, 0, 160, 0)), 0u) << "too little in common";
+    EXPECT_EQ(targets(segment(40, 0, 140, 0)), 1u);
+    EXPECT_EQ(targets(segment(20, 0, 40, 0)), 1u) << "a piece of it";
 }
 
 TEST(Gcpw_Segments, of_one_that_crosses_the_border_the_part_that_is_shown_is_matched)

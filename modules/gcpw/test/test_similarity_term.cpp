@@ -3,7 +3,7 @@
 
 #include "bent_mesh.hpp"
 #include "term_laws.hpp"
-#include "terms/similarity_term.hpp"
+#include "energy/similarity_term.hpp"
 
 namespace opencv_test { namespace {
 
@@ -23,9 +23,9 @@ TermState deformed()
     return TermState({bentMesh(LATTICE, 4, 2, Point2d(190, 120))});
 }
 
-PourTerm pourSimilarity(const SimilarityTerm& term)
+LinearizeTerm accumulateSimilarity(const SimilarityTerm& term)
 {
-    return [term](const TermState& state, ResidualSink& sink) { return term.linearize(state.meshes[0], sink); };
+    return [term](const TermState& state, NormalEquations& equations) { return term.linearize(state.meshes[0], equations); };
 }
 
 /// Equation st1 as it stands: how far v1 is from where v2, v3 and its rough coordinates (u, v) put it, squared.
@@ -44,10 +44,10 @@ double triangleEnergy(const Point2d (&before)[3], const Point2d (&after)[3])
 TEST(Gcpw_SimilarityTerm, it_is_zero_at_the_rough_mesh)
 {
     const SimilarityTerm term(0, rough(), WEIGHT);
-    RecordingSink sink({LATTICE});
-    EXPECT_NEAR(term.linearize(rough(), sink), 0, 1e-12);
-    EXPECT_EQ(sink.blocks.size(), static_cast<size_t>(LATTICE.cellCount()));
-    EXPECT_LT(sink.gradient().norm(), 1e-9);
+    RecordingEquations equations({LATTICE});
+    EXPECT_NEAR(term.linearize(rough(), equations), 0, 1e-12);
+    EXPECT_EQ(equations.blocks.size(), static_cast<size_t>(LATTICE.cellCount()));
+    EXPECT_LT(equations.gradient().norm(), 1e-9);
     EXPECT_NEAR(term.energy(rough()), 0, 1e-12);
 }
 
@@ -96,39 +96,39 @@ TEST(Gcpw_SimilarityTerm, its_energy_is_that_of_equation_st1_over_two_triangles_
     EXPECT_NEAR(SimilarityTerm(0, before, WEIGHT).energy(after), expected, 1e-9 * expected);
 }
 
-TEST(Gcpw_SimilarityTerm, energy_equals_the_sum_of_the_poured_blocks)
+TEST(Gcpw_SimilarityTerm, energy_equals_the_sum_of_the_accumulated_blocks)
 {
-    expectEnergyIsSumOfRows(pourSimilarity(SimilarityTerm(0, rough(), WEIGHT)), deformed());
+    expectEnergyIsSumOfRows(accumulateSimilarity(SimilarityTerm(0, rough(), WEIGHT)), deformed());
 }
 
 TEST(Gcpw_SimilarityTerm, jacobian_equals_finite_differences)
 {
-    const PourTerm pour = pourSimilarity(SimilarityTerm(0, rough(), WEIGHT));
-    expectExactlyQuadratic(pour, deformed(), 0, COLUMNS, 2.0, 1e-9);
-    expectGradientIsSlope(pour, deformed(), 0, COLUMNS, 1e-3, 1e-7);
+    const LinearizeTerm accumulate = accumulateSimilarity(SimilarityTerm(0, rough(), WEIGHT));
+    expectExactlyQuadratic(accumulate, deformed(), 0, COLUMNS, 2.0, 1e-9);
+    expectGradientIsSlope(accumulate, deformed(), 0, COLUMNS, 1e-3, 1e-7);
 }
 
 TEST(Gcpw_SimilarityTerm, a_stiffened_quad_resists_a_step_and_has_the_same_energy_and_gradient)
 {
     const MeshGrid mesh = deformed().meshes[0];
     SimilarityTerm term(0, rough(), WEIGHT);
-    RecordingSink before({LATTICE});
+    RecordingEquations before({LATTICE});
     const double energy = term.linearize(mesh, before);
-    RecordingSink added({LATTICE});
+    RecordingEquations added({LATTICE});
     term.stiffen(5, 4, added);
     ASSERT_EQ(added.blocks.size(), 1u);
     EXPECT_EQ(added.blocks[0].quad.cell, 5);
     EXPECT_EQ(added.energy(), 0);
     EXPECT_EQ(added.blocks[0].block.mesh_gradient, QuadRow{});
-    RecordingSink after({LATTICE});
+    RecordingEquations after({LATTICE});
     EXPECT_EQ(term.linearize(mesh, after), energy) << "energies before and after can be compared";
     EXPECT_EQ(term.energy(mesh), energy);
     EXPECT_EQ(after.gradient(), before.gradient());
-    // What was poured is what linearize() has from now on, and no other quad has it.
+    // What was accumulated is what linearize() has from now on, and no other quad has it.
     EXPECT_LT((after.matrix() - before.matrix() - added.matrix()).norm(), 1e-9 * after.matrix().norm());
     EXPECT_NEAR(added.blocks[0].block.mesh_mesh[0][0], 3 * before.blocks[5].block.mesh_mesh[0][0], 1e-9);
     term.relax();
-    RecordingSink relaxed({LATTICE});
+    RecordingEquations relaxed({LATTICE});
     term.linearize(mesh, relaxed);
     EXPECT_EQ(relaxed.matrix(), before.matrix());
 }

@@ -220,8 +220,8 @@ TEST(Gcpw_Stitcher, images_of_mixed_sizes_and_one_that_does_not_belong)
     ASSERT_EQ(stitcher->stitch(images, panorama), Stitcher::OK);
     EXPECT_EQ(stitcher->component(), (std::vector<int>{0, 2, 3}));
     ASSERT_TRUE(binding->rig().usable()) << binding->rig().alignment.report().message;
-    const gcpw::Alignment::Image& held = binding->rig().alignment.image(2);
-    EXPECT_EQ(cv::norm(held.mesh, held.rough, NORM_INF), 0);
+    const gcpw::Alignment::Image& fixed = binding->rig().alignment.image(2);
+    EXPECT_EQ(cv::norm(fixed.mesh, fixed.rough, NORM_INF), 0);
 }
 
 TEST(Gcpw_Stitcher, scans_with_a_change_of_scale_line_up)

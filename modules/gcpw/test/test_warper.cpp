@@ -299,9 +299,9 @@ TEST(Gcpw_Warper, a_tall_picture_may_be_warped_onto_itself)
     for (int row = 0; row < image.mesh.rows; ++row)
         for (int col = 0; col < image.mesh.cols; ++col)
         {
-            const Vec2d rest(col * tall.width / 8.0 - 0.5, row * tall.height / 6.0 - 0.5);
-            image.rough.at<Vec2d>(row, col) = rest;
-            image.mesh.at<Vec2d>(row, col) = rest + Vec2d(0, 40 * std::sin(CV_PI * row / 6));
+            const Vec2d reference(col * tall.width / 8.0 - 0.5, row * tall.height / 6.0 - 0.5);
+            image.rough.at<Vec2d>(row, col) = reference;
+            image.mesh.at<Vec2d>(row, col) = reference + Vec2d(0, 40 * std::sin(CV_PI * row / 6));
         }
     rig.alignment = gcpw::Alignment({image}, Size2d(1, 1), gcpw::Report());
     const Ptr<cv::detail::RotationWarper> warper = Creator(base, rig).create(1);

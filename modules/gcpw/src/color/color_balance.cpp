@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <opencv2/core/utils/logger.hpp>
-#include "color/color_comparison.hpp"
-#include "color/color_pull.hpp"
+#include "energy/color_comparison.hpp"
+#include "energy/color_prior.hpp"
 #include "color/exposures.hpp"
-#include "terms/color_smoothness_term.hpp"
+#include "energy/color_smoothness_term.hpp"
 
 namespace cv
 {
@@ -23,7 +23,7 @@ const double MIN_VARIANCE = 1e-5; ///< of an intensity: noise of 8-bit images, n
 
 /// The two residuals of every channel, squared and linearised at the present colours.
 void compare(const ColorMoments& moments, double weight, const ColorGrid::Quad& source, const ColorGrid::Quad& target,
-             ColoredBlock& own, PartnerColor& other)
+             PhotometricBlock& own, CrossColor& other)
 {
     for (int c = 0; c < CHANNELS; ++c)
     {
@@ -50,7 +50,7 @@ void compare(const ColorMoments& moments, double weight, const ColorGrid::Quad& 
 }
 
 /// Samples of all comparisons, linearised at the present colours.
-void pour(const std::vector<ColorComparison>& comparisons, double weight, const std::vector<ColorGrid>& colors, ColorSystem& system)
+void accumulate(const std::vector<ColorComparison>& comparisons, double weight, const std::vector<ColorGrid>& colors, ColorSystem& system)
 {
     system.clearSamples();
     for (const ColorComparison& comparison : comparisons)
@@ -60,11 +60,11 @@ void pour(const std::vector<ColorComparison>& comparisons, double weight, const 
             const QuadId target{comparison.target_image, pair.target_cell};
             const ColorGrid::Quad& now = colors[source.image].quad(source.cell);
             const ColorGrid::Quad& now_other = colors[target.image].quad(target.cell);
-            ColoredBlock own;
-            PartnerColor other;
-            compare(pair.moments, weight * pair.moments.samples() * trustIn(pair.moments), now, now_other, own, other);
+            PhotometricBlock own;
+            CrossColor other;
+            compare(pair.moments, weight * pair.moments.samples() * correlationWeight(pair.moments), now, now_other, own, other);
             system.addSamples(source, own, now);
-            system.addPartner(source, now, target, now_other, other);
+            system.addCross(source, now, target, now_other, other);
         }
 }
 
@@ -83,28 +83,28 @@ std::vector<ColorGrid> balancedColors(const std::vector<PhotometricTerm>& terms,
     }
     if (terms.empty())
         return colors;
-    std::vector<bool> held(count, false);
+    std::vector<bool> fixed(count, false);
     if (params.referenceImage >= 0 && params.referenceImage < static_cast<int>(count))
-        held[params.referenceImage] = true;
+        fixed[params.referenceImage] = true;
     const std::vector<ColorComparison> comparisons = compareColors(terms, states);
-    const std::vector<ColorGrid::Quad> exposures = estimateExposures(comparisons, held);
-    ColorSystem system(lattices, held);
+    const std::vector<ColorGrid::Quad> exposures = estimateExposures(comparisons, fixed);
+    ColorSystem system(lattices, fixed);
     for (size_t i = 0; i < count; ++i)
         addColorSmoothness(static_cast<int>(i), lattices[i], params.colorSmoothnessWeight, system);
-    std::vector<double> firmly;
+    std::vector<double> prior_weights;
     for (const Lattice& lattice : lattices)
-        firmly.push_back(params.balanceWeight * lattice.cellSize().area() / (params.sampleStep * params.sampleStep));
-    pullColors(comparisons, lattices, {firmly, exposures}, {std::vector<double>(count, params.colorRestWeight), exposures}, system);
+        prior_weights.push_back(params.balanceWeight * lattice.cellSize().area() / (params.sampleStep * params.sampleStep));
+    setColorPriors(comparisons, lattices, {prior_weights, exposures}, {std::vector<double>(count, params.colorRestWeight), exposures}, system);
     const auto for_each_free = [&](const std::function<void(size_t image, ColorGrid::Quad& quad)>& change)
     {
         for (size_t i = 0; i < count; ++i)
-            for (int cell = 0; !held[i] && cell < lattices[i].cellCount(); ++cell)
+            for (int cell = 0; !fixed[i] && cell < lattices[i].cellCount(); ++cell)
                 change(i, colors[i].quad(cell));
     };
     for_each_free([&](size_t i, ColorGrid::Quad& quad) { quad = exposures[i]; });
     for (int pass = 0; pass < PASSES; ++pass)
     {
-        pour(comparisons, params.photometricWeight, colors, system);
+        accumulate(comparisons, params.photometricWeight, colors, system);
         // NotConverged is an answer: conjugate gradients lower the energy, and the next pass goes on from there.
         if (system.solve(colors) == SolveStatus::NotPositiveDefinite)
         {

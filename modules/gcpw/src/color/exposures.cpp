@@ -15,13 +15,13 @@ namespace
 const double GAUGE = 1e-3;          ///< share of an overlap: chooses among exposures that fit equally well
 const double NOISE_VARIANCE = 1e-4; ///< of an intensity: less contrast than this says nothing of gain
 
-/// Normal equations of differences x_a - x_b = d between images; x is exactly 0 where an image is held.
+/// Normal equations of differences x_a - x_b = d between images; x is exactly 0 where an image is fixed.
 class Differences
 {
 public:
-    explicit Differences(const std::vector<bool>& held)
-        : held_(held), matrix_(Mat::zeros(static_cast<int>(held.size()), static_cast<int>(held.size()), CV_64F)),
-          right_(Mat::zeros(static_cast<int>(held.size()), 1, CV_64F))
+    explicit Differences(const std::vector<bool>& fixed)
+        : fixed_(fixed), matrix_(Mat::zeros(static_cast<int>(fixed.size()), static_cast<int>(fixed.size()), CV_64F)),
+          right_(Mat::zeros(static_cast<int>(fixed.size()), 1, CV_64F))
     {
     }
 
@@ -40,10 +40,10 @@ public:
     /// False if there is no answer; `x` is then all 0.
     [[nodiscard]] bool solve(std::vector<double>& x) const
     {
-        x.assign(held_.size(), 0);
+        x.assign(fixed_.size(), 0);
         std::vector<int> free;
         for (int i = 0; i < matrix_.rows; ++i)
-            if (!held_[i])
+            if (!fixed_[i])
                 free.push_back(i);
         if (free.empty())
             return true;
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    const std::vector<bool>& held_;
+    const std::vector<bool>& fixed_;
     Mat matrix_;
     Mat right_;
     double total_ = 1e-9;
@@ -74,16 +74,16 @@ private:
 } // namespace
 
 std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
-                                               const std::vector<bool>& held)
+                                               const std::vector<bool>& fixed)
 {
     std::vector<ColorMoments> moments(comparisons.size());
     for (size_t k = 0; k < comparisons.size(); ++k)
         for (const PhotometricTerm::QuadColors& quads : comparisons[k].quads)
-            moments[k].add(quads.moments, trustIn(quads.moments));
-    std::vector<ColorGrid::Quad> exposures(held.size());
+            moments[k].add(quads.moments, correlationWeight(quads.moments));
+    std::vector<ColorGrid::Quad> exposures(fixed.size());
     for (int c = 0; c < CHANNELS; ++c)
     {
-        Differences log_gains(held);
+        Differences log_gains(fixed);
         for (size_t k = 0; k < comparisons.size(); ++k)
         {
             const ColorMoments& m = moments[k];
@@ -99,8 +99,8 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
             continue;
         }
         for (size_t i = 0; i < exposures.size(); ++i)
-            exposures[i][c].gain = held[i] ? 1 : plausibleGain(std::exp(found[i]));
-        Differences biases(held);
+            exposures[i][c].gain = fixed[i] ? 1 : plausibleGain(std::exp(found[i]));
+        Differences biases(fixed);
         for (size_t k = 0; k < comparisons.size(); ++k)
         {
             const int a = comparisons[k].source_image;

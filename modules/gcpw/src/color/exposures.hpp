@@ -3,7 +3,7 @@
 #define OPENCV_GCPW_EXPOSURES_HPP
 
 #include <vector>
-#include "color/color_comparison.hpp"
+#include "energy/color_comparison.hpp"
 
 namespace cv
 {
@@ -13,10 +13,10 @@ namespace gcpw
 /** @brief One gain and bias per channel for each image as a whole, so that overlaps agree in mean and contrast.
 
 Moments of whole overlaps hardly depend on how well they line up, so these are known before any pixel is aligned; quads
-count as far as they show the same thing (trustIn()). Of all that fit equally well the one of mean log gain 0 and mean
-bias 0 is chosen; images that are held keep (1, 0) exactly, and so does a channel without an answer. */
+count as far as they show the same thing (correlationWeight()). Of all that fit equally well the one of mean log gain 0 and mean
+bias 0 is chosen; images that are fixed keep (1, 0) exactly, and so does a channel without an answer. */
 std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
-                                               const std::vector<bool>& held);
+                                               const std::vector<bool>& fixed);
 
 } // namespace gcpw
 } // namespace cv

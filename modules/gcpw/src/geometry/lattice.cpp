@@ -19,14 +19,14 @@ Lattice::Lattice(Size image_size, int cols, int rows)
     CV_CheckGT(rows, 0, "A lattice needs at least one row of cells");
 }
 
-Point2d Lattice::restVertex(int vertex) const
+Point2d Lattice::referenceVertex(int vertex) const
 {
     const int col = vertex % (cols_ + 1);
     const int row = vertex / (cols_ + 1);
     return {col * cell_size_.width - 0.5, row * cell_size_.height - 0.5};
 }
 
-Point2d Lattice::restPoint(const CellPoint& point) const
+Point2d Lattice::referencePoint(const CellPoint& point) const
 {
     const double u = point.weight[1] + point.weight[3];
     const double v = point.weight[2] + point.weight[3];
@@ -35,16 +35,16 @@ Point2d Lattice::restPoint(const CellPoint& point) const
     return {(col + u) * cell_size_.width - 0.5, (row + v) * cell_size_.height - 0.5};
 }
 
-bool Lattice::contains(Point2d rest_px) const
+bool Lattice::contains(Point2d reference_px) const
 {
-    return rest_px.x >= -0.5 && rest_px.y >= -0.5 && rest_px.x <= image_size_.width - 0.5 &&
-           rest_px.y <= image_size_.height - 0.5;
+    return reference_px.x >= -0.5 && reference_px.y >= -0.5 && reference_px.x <= image_size_.width - 0.5 &&
+           reference_px.y <= image_size_.height - 0.5;
 }
 
-CellPoint Lattice::locate(Point2d rest_px) const
+CellPoint Lattice::locate(Point2d reference_px) const
 {
-    const double x = (rest_px.x + 0.5) / cell_size_.width;
-    const double y = (rest_px.y + 0.5) / cell_size_.height;
+    const double x = (reference_px.x + 0.5) / cell_size_.width;
+    const double y = (reference_px.y + 0.5) / cell_size_.height;
     // Bounded before the cast, and in this order: NaN becomes 0.
     const int col = static_cast<int>(std::min(std::max(0.0, std::floor(x)), cols_ - 1.0));
     const int row = static_cast<int>(std::min(std::max(0.0, std::floor(y)), rows_ - 1.0));

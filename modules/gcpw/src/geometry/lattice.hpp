@@ -10,7 +10,7 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief A point of the rest frame, as a cell of a lattice and the bilinear weights of its four corners.
+/** @brief A point of the reference frame, as a cell of a lattice and the bilinear weights of its four corners.
 
 Corners are numbered as in eq. st1: 0 top left, 1 top right, 2 bottom left, 3 bottom right. Weights sum to one and are
 non-negative inside the lattice. */
@@ -20,7 +20,7 @@ struct CellPoint
     std::array<double, 4> weight{{0, 0, 0, 0}};
 };
 
-/** @brief A uniform grid of cols x rows cells over the pixels of a rest image: indices and weights, never values.
+/** @brief A uniform grid of cols x rows cells over the pixels of a reference image: indices and weights, never values.
 
 It covers the pixel squares, [-0.5, width - 0.5] x [-0.5, height - 0.5], so that a lattice of the same cells fits the
 image at any scale. Cells and vertices are numbered row by row. */
@@ -43,16 +43,16 @@ public:
         return (cell / cols_ + (corner >> 1)) * (cols_ + 1) + cell % cols_ + (corner & 1);
     }
 
-    /// Rest position of a vertex, rest pixels.
-    Point2d restVertex(int vertex) const;
+    /// Rest position of a vertex, reference pixels.
+    Point2d referenceVertex(int vertex) const;
 
-    /// Rest position of a cell point, rest pixels.
-    Point2d restPoint(const CellPoint& point) const;
+    /// Rest position of a cell point, reference pixels.
+    Point2d referencePoint(const CellPoint& point) const;
 
-    bool contains(Point2d rest_px) const;
+    bool contains(Point2d reference_px) const;
 
-    /// Cell and weights of a rest point. Outside the lattice the nearest cell extrapolates: weights may be negative.
-    CellPoint locate(Point2d rest_px) const;
+    /// Cell and weights of a reference point. Outside the lattice the nearest cell extrapolates: weights may be negative.
+    CellPoint locate(Point2d reference_px) const;
 
     /// The cells that share a side or a corner with this one, in ascending order; returns how many (3, 5 or 8).
     int neighbours(int cell, std::array<int, 8>& out) const;

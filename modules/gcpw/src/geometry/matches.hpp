@@ -10,7 +10,7 @@ namespace cv
 namespace gcpw
 {
 
-/// A point of image `a` and the same scene point in image `b`, each in the rest pixels of its own image.
+/// A point of image `a` and the same scene point in image `b`, each in the reference pixels of its own image.
 struct PointMatch
 {
     Point2d a;
@@ -18,7 +18,7 @@ struct PointMatch
     double weight = 1; ///< relative, > 0
 };
 
-/// A line segment of image `a` and its partner in image `b`, each in the rest pixels of its own image.
+/// A line segment of image `a` and its target in image `b`, each in the reference pixels of its own image.
 struct LineMatch
 {
     Segment a;

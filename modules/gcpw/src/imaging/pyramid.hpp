@@ -12,11 +12,11 @@ namespace gcpw
 
 /** @brief One level of an image: Y, Cr, Cb in [0, 1] and, as a fourth channel, 1 inside the mask and 0 outside.
 
-The level is made with pyrDown, so pixel p of level l is pixel p * 2^l of the rest image. */
+The level is made with pyrDown, so pixel p of level l is pixel p * 2^l of the reference image. */
 struct PyramidLevel
 {
     Mat pixels;       ///< CV_32FC4
-    double scale = 1; ///< rest pixels per pixel of this level, 2^l
+    double scale = 1; ///< reference pixels per pixel of this level, 2^l
 
     const float* at(int x, int y) const { return pixels.ptr<float>(y) + 4 * x; }
 };

@@ -22,11 +22,11 @@ inline void mix(const float* a, const float* b, const float* c, const float* d, 
 
 } // namespace
 
-GCPW_WIDE_VECTORS bool samplePixel(const PyramidLevel& level, Point2d rest_px, PixelSample& sample)
+GCPW_WIDE_VECTORS bool samplePixel(const PyramidLevel& level, Point2d reference_px, PixelSample& sample)
 {
     const double scale = 1 / level.scale;
-    const double x = rest_px.x * scale;
-    const double y = rest_px.y * scale;
+    const double x = reference_px.x * scale;
+    const double y = reference_px.y * scale;
     // Written so that NaN is refused too.
     if (!(x >= 1 && y >= 1 && x < level.pixels.cols - 2 && y < level.pixels.rows - 2))
         return false;
@@ -61,10 +61,10 @@ GCPW_WIDE_VECTORS bool samplePixel(const PyramidLevel& level, Point2d rest_px, P
     return true;
 }
 
-bool sampleLuma(const PyramidLevel& level, Point2d rest_px, double& luma)
+bool sampleLuma(const PyramidLevel& level, Point2d reference_px, double& luma)
 {
-    const double x = rest_px.x / level.scale;
-    const double y = rest_px.y / level.scale;
+    const double x = reference_px.x / level.scale;
+    const double y = reference_px.y / level.scale;
     // Written so that NaN is refused too.
     if (!(x >= 0 && y >= 0 && x < level.pixels.cols - 1 && y < level.pixels.rows - 1))
         return false;

@@ -9,7 +9,7 @@ namespace cv
 namespace gcpw
 {
 
-/// What an image shows at a point between its pixels: three channels and their gradient, per pixel of the rest image.
+/// What an image shows at a point between its pixels: three channels and their gradient, per pixel of the reference image.
 struct PixelSample
 {
     float value[3];
@@ -19,15 +19,15 @@ struct PixelSample
 
 /** @brief Bilinear value and bilinear central-difference gradient of a level.
 @param level where to read
-@param rest_px position in rest pixels
+@param reference_px position in reference pixels
 @param sample the result; set only if true is returned
 @return false where the 4 x 4 neighbourhood leaves the image or any of the four nearest pixels leaves the mask
 
 cv::remap would quantise the position to 1/32 px; here it keeps its full precision. */
-bool samplePixel(const PyramidLevel& level, Point2d rest_px, PixelSample& sample);
+bool samplePixel(const PyramidLevel& level, Point2d reference_px, PixelSample& sample);
 
 /// The bilinear luma (first channel) alone. False where any of the four nearest pixels leaves the image or its mask.
-bool sampleLuma(const PyramidLevel& level, Point2d rest_px, double& luma);
+bool sampleLuma(const PyramidLevel& level, Point2d reference_px, double& luma);
 
 } // namespace gcpw
 } // namespace cv

@@ -6,7 +6,7 @@
 GCPW_WIDE_VECTORS before a function compiles it twice, for any processor and for those with AVX2; the loader chooses.
 
 The additions keep their order and nothing is fused (AVX2 alone has no multiply-add), so both give the same bits. Worth it
-for the few functions that see every sample: pouring is a fifth faster. Sanitizers start after the loader has chosen. */
+for the few functions that see every sample: accumulating is a fifth faster. Sanitizers start after the loader has chosen. */
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

@@ -9,11 +9,11 @@ namespace cv
 namespace gcpw
 {
 
-ColorGrid::Quad ColorGrid::at(Point2d rest_px) const
+ColorGrid::Quad ColorGrid::at(Point2d reference_px) const
 {
     const Size2d cell = lattice_.cellSize();
-    const double x = std::min(std::max((rest_px.x + 0.5) / cell.width - 0.5, 0.0), lattice_.cols() - 1.0);
-    const double y = std::min(std::max((rest_px.y + 0.5) / cell.height - 0.5, 0.0), lattice_.rows() - 1.0);
+    const double x = std::min(std::max((reference_px.x + 0.5) / cell.width - 0.5, 0.0), lattice_.cols() - 1.0);
+    const double y = std::min(std::max((reference_px.y + 0.5) / cell.height - 0.5, 0.0), lattice_.rows() - 1.0);
     const int col = std::min(static_cast<int>(x), std::max(lattice_.cols() - 2, 0));
     const int row = std::min(static_cast<int>(y), std::max(lattice_.rows() - 2, 0));
     const int right = std::min(col + 1, lattice_.cols() - 1) - col;

@@ -40,7 +40,7 @@ public:
     bool isIdentity() const;
 
     /// Bilinear between quad centres, constant beyond the outer centres.
-    Quad at(Point2d rest_px) const;
+    Quad at(Point2d reference_px) const;
 
     /// The grid as rows x cols, CV_32FC(6): gain Y, Cr, Cb, bias Y, Cr, Cb.
     Mat toMat() const;

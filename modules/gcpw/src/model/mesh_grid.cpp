@@ -21,7 +21,7 @@ std::array<Point2d, 4> quadOf(const MeshGrid& mesh, int cell)
 }
 
 /// Whether a point is in the bounding box of a quad.
-bool mayHold(const std::array<Point2d, 4>& quad, Point2d p)
+bool mayFix(const std::array<Point2d, 4>& quad, Point2d p)
 {
     const auto x = std::minmax({quad[0].x, quad[1].x, quad[2].x, quad[3].x});
     const auto y = std::minmax({quad[0].y, quad[1].y, quad[2].y, quad[3].y});
@@ -51,7 +51,7 @@ int moveCell(int index, double fraction, double reach, int count)
 MeshGrid::MeshGrid(const Lattice& lattice, Point2d origin) : lattice_(lattice), vertices_(lattice.vertexCount())
 {
     for (int i = 0; i < lattice.vertexCount(); ++i)
-        vertices_[i] = lattice.restVertex(i) + origin;
+        vertices_[i] = lattice.referenceVertex(i) + origin;
 }
 
 Point2d MeshGrid::warp(const CellPoint& point) const
@@ -105,7 +105,7 @@ bool MeshGrid::invert(Point2d canvas_px, int& hint, CellPoint& point) const
         {
             hint = row * cols + col;
             Point2d fractions;
-            if (mayHold(quadOf(*this, hint), canvas_px) && findIn(hint, canvas_px, point, fractions))
+            if (mayFix(quadOf(*this, hint), canvas_px) && findIn(hint, canvas_px, point, fractions))
                 return true;
         }
     hint = centre;
@@ -134,9 +134,9 @@ double MeshGrid::cornerArea(int cell, int corner) const
 
 bool MeshGrid::isTranslation(Point2d& origin) const
 {
-    origin = vertices_[0] - lattice_.restVertex(0);
+    origin = vertices_[0] - lattice_.referenceVertex(0);
     for (int i = 1; i < lattice_.vertexCount(); ++i)
-        if (vertices_[i] != lattice_.restVertex(i) + origin)
+        if (vertices_[i] != lattice_.referenceVertex(i) + origin)
             return false;
     return true;
 }
@@ -210,6 +210,15 @@ double maxVertexDistance(const MeshGrid& a, const MeshGrid& b)
         squared = std::max(squared, d.dot(d));
     }
     return std::sqrt(squared);
+}
+
+MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step, double step_length)
+{
+    CV_DbgAssert(step.size() == mesh.vertices().size());
+    MeshGrid next = mesh;
+    for (size_t i = 0; i < step.size(); ++i)
+        next.vertices()[i] += step_length * step[i];
+    return next;
 }
 
 } // namespace gcpw

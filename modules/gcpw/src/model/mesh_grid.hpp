@@ -19,7 +19,7 @@ class MeshGrid
 public:
     MeshGrid() = default;
 
-    /// The lattice at rest, moved to `origin`: canvas = rest + origin.
+    /// The lattice at rest, moved to `origin`: canvas = reference + origin.
     explicit MeshGrid(const Lattice& lattice, Point2d origin = Point2d());
 
     const Lattice& lattice() const { return lattice_; }
@@ -27,14 +27,14 @@ public:
     std::vector<Point2d>& vertices() { return vertices_; }
     Point2d vertex(int cell, int corner) const { return vertices_[lattice_.vertexOf(cell, corner)]; }
 
-    /// Canvas position of a rest point.
+    /// Canvas position of a reference point.
     Point2d warp(const CellPoint& point) const;
-    Point2d warp(Point2d rest_px) const { return warp(lattice_.locate(rest_px)); }
+    Point2d warp(Point2d reference_px) const { return warp(lattice_.locate(reference_px)); }
 
     /// d canvas / d rest at a cell point: [dx/dx dx/dy; dy/dx dy/dy].
     Matx22d jacobian(const CellPoint& point) const;
 
-    /** @brief The rest point that is carried to a canvas point.
+    /** @brief The reference point that is carried to a canvas point.
     @param canvas_px where to look
     @param hint cell to start from (any value; out of range starts in the middle); the found cell on return
     @param point the result; its weights are valid only if true is returned
@@ -70,6 +70,9 @@ bool invertBilinear(const std::array<Point2d, 4>& quad, Point2d point, double& u
 
 /// Largest move of a vertex between two meshes over one lattice, canvas pixels.
 double maxVertexDistance(const MeshGrid& a, const MeshGrid& b);
+
+/// mesh + step_length * step
+MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step, double step_length);
 
 } // namespace gcpw
 } // namespace cv

@@ -12,7 +12,7 @@ namespace cv
 namespace gcpw
 {
 
-struct Session;
+struct SharedState;
 
 //! @addtogroup gcpw
 //! @{
@@ -57,7 +57,7 @@ public:
     Ptr<cv::detail::ExposureCompensator> fallback() const { return fallback_; }
 
     /// Shared by the warper, the compensator and the stitcher's binding.
-    GcpwCompensator(const Params& params, const std::shared_ptr<Session>& session);
+    GcpwCompensator(const Params& params, const std::shared_ptr<SharedState>& shared_state);
 
 private:
     /// Whose colours are shown.
@@ -72,7 +72,7 @@ private:
     Source source() const;
 
     Params params_;
-    std::shared_ptr<Session> session_;
+    std::shared_ptr<SharedState> shared_state_;
     Ptr<cv::detail::ExposureCompensator> fallback_;
     std::vector<Mat> colors_;
     bool given_; ///< by setMatGains()

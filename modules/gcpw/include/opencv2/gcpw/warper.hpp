@@ -12,7 +12,7 @@ namespace gcpw
 {
 
 class RigModel;
-struct Session;
+struct SharedState;
 
 //! @addtogroup gcpw
 //! @{
@@ -87,10 +87,10 @@ public:
     Ptr<GcpwCompensator> compensator(const Params& params = Params()) const;
 
     /// Shared by the warper, the compensator and the stitcher's binding.
-    explicit GcpwWarper(const std::shared_ptr<Session>& session);
+    explicit GcpwWarper(const std::shared_ptr<SharedState>& shared_state);
 
 private:
-    std::shared_ptr<Session> session_;
+    std::shared_ptr<SharedState> shared_state_;
 };
 
 //! @}

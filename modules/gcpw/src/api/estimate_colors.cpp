@@ -1,0 +1,38 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "api/estimate_colors.hpp"
+
+#include "color/color_balance.hpp"
+#include "imaging/photograph.hpp"
+#include "imaging/pyramid.hpp"
+#include "registration/image_graph.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+std::vector<Mat> estimateColors(const std::vector<Point>& corners, const std::vector<Mat>& images,
+                                const std::vector<Mat>& masks, const Params& params)
+{
+    std::vector<ImageState> states(images.size());
+    std::vector<PyramidLevel> levels;
+    for (size_t i = 0; i < images.size(); ++i)
+    {
+        const Lattice lattice(images[i].size(), params.meshCols, params.meshRows);
+        states[i].mesh = MeshGrid(lattice, corners[i]);
+        states[i].color = ColorGrid(lattice);
+        levels.push_back(buildPyramid(toPhotograph(images[i], format("%zu-th", i).c_str()).image, masks[i], 1).front());
+    }
+    PhotometricTerm::Options options;
+    options.step = params.sampleStep;
+    std::vector<PhotometricTerm> terms;
+    for (const Overlap& overlap : findOverlaps(corners, masks))
+        terms.emplace_back(overlap.a, overlap.b, levels[overlap.a], levels[overlap.b], states[overlap.a].mesh.lattice(), options);
+    std::vector<Mat> colors;
+    for (const ColorGrid& grid : balancedColors(terms, states, params))
+        colors.push_back(grid.toMat());
+    return colors;
+}
+
+} // namespace gcpw
+} // namespace cv

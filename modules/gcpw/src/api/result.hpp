@@ -1,0 +1,35 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_RESULT_HPP
+#define OPENCV_GCPW_RESULT_HPP
+
+#include "model/color_grid.hpp"
+#include "rendering/inverse_map.hpp"
+#include "opencv2/gcpw/alignment.hpp"
+#include "optimization/optimizer.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// Every image where the rough alignment has it, colours untouched.
+std::vector<ImageState> roughStates(const Problem& problem);
+
+/// Runs the terms_used of params.method and fills in everything of the report but the timings and the matches' counts.
+/// `states` holds the start and receives the result; if there is none it is put back to the rough alignment.
+void refine(const Problem& problem, const Params& params, const StepCallback& progress, std::vector<ImageState>& states,
+            Report& report);
+
+/// An image of an Alignment from its rough and its final state.
+Alignment::Image toImage(const MeshGrid& rough, const ImageState& state, Size full_size);
+
+/// The way back.
+MeshGrid meshOf(const Alignment::Image& image);
+
+/// Wall time since a getTickCount().
+double millisecondsSince(int64 start);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,37 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "energy/anchor_term.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+AnchorTerm::AnchorTerm(int image, const MeshGrid& anchor, const std::vector<int>& cells, double weight)
+    : image_(image), anchor_(anchor), cells_(cells), weight_(weight)
+{
+}
+
+double AnchorTerm::linearize(const MeshGrid& mesh, NormalEquations& equations) const
+{
+    double energy = 0;
+    for (int cell : cells_)
+    {
+        QuadBlock block{};
+        QuadRow gradient{};
+        double sum = 0;
+        for (int k = 0; k < 4; ++k)
+        {
+            const Point2d r = mesh.vertex(cell, k) - anchor_.vertex(cell, k);
+            block[2 * k][2 * k] = block[2 * k + 1][2 * k + 1] = weight_;
+            gradient[2 * k] = weight_ * r.x;
+            gradient[2 * k + 1] = weight_ * r.y;
+            sum += weight_ * r.dot(r);
+        }
+        equations.addBlock({image_, cell}, block, gradient, sum);
+        energy += sum;
+    }
+    return energy;
+}
+
+} // namespace gcpw
+} // namespace cv

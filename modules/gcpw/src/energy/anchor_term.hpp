@@ -1,0 +1,38 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_ANCHOR_TERM_HPP
+#define OPENCV_GCPW_ANCHOR_TERM_HPP
+
+#include <vector>
+#include "solver/normal_equations.hpp"
+#include "model/mesh_grid.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief Holds chosen quads of an image where another mesh has them.
+
+    E_a = weight * sum_{anchored quads} sum_{k = 0..3} | V_k - A_k |^2
+
+A_k are the corners of the quad in the other mesh. Not in the paper: it serves the regions where pixels made the
+alignment worse. Residuals: 8 per quad, canvas px. */
+class AnchorTerm
+{
+public:
+    AnchorTerm(int image, const MeshGrid& anchor, const std::vector<int>& cells, double weight);
+
+    int image() const { return image_; }
+    double linearize(const MeshGrid& mesh, NormalEquations& equations) const;
+
+private:
+    int image_;
+    MeshGrid anchor_;
+    std::vector<int> cells_;
+    double weight_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

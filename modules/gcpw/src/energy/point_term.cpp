@@ -1,0 +1,65 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "energy/point_term.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cv
+{
+namespace gcpw
+{
+
+PointTerm::PointTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
+                     const std::vector<PointMatch>& matches, double weight, Point2d shift_b)
+    : image_a_(image_a), image_b_(image_b), shift_b_(shift_b)
+{
+    pairs_.reserve(matches.size());
+    for (const PointMatch& match : matches)
+    {
+        // A mesh knows nothing beyond its image: such a match keeps its place in the order, with no cell.
+        // So does one whose weight is no weight.
+        const bool inside = lattice_a.contains(match.a) && lattice_b.contains(match.b) && match.weight >= 0 &&
+                            std::isfinite(match.weight);
+        pairs_.push_back({inside ? lattice_a.locate(match.a) : CellPoint(), inside ? lattice_b.locate(match.b) : CellPoint(),
+                          weight * match.weight});
+    }
+}
+
+double PointTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, NormalEquations& equations) const
+{
+    double energy = 0;
+    for (const Pair& pair : pairs_)
+    {
+        if (pair.a.cell < 0)
+            continue;
+        const Point2d r = a.warp(pair.a) - b.warp(pair.b) - shift_b_;
+        const double squared = r.dot(r);
+        energy += pair.weight * loss.value(squared);
+        const double weight = pair.weight * loss.weight(squared);
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            QuadRow row_a{};
+            QuadRow row_b{};
+            for (int k = 0; k < 4; ++k)
+            {
+                row_a[2 * k + axis] = pair.a.weight[k];
+                row_b[2 * k + axis] = -pair.b.weight[k];
+            }
+            equations.addRow({image_a_, pair.a.cell}, row_a, {image_b_, pair.b.cell}, row_b, axis == 0 ? r.x : r.y, weight);
+        }
+    }
+    return energy;
+}
+
+std::vector<double> PointTerm::distances(const MeshGrid& a, const MeshGrid& b) const
+{
+    std::vector<double> result;
+    result.reserve(pairs_.size());
+    for (const Pair& pair : pairs_)
+        result.push_back(pair.a.cell < 0 ? std::numeric_limits<double>::infinity()
+                                         : norm(a.warp(pair.a) - b.warp(pair.b) - shift_b_));
+    return result;
+}
+
+} // namespace gcpw
+} // namespace cv

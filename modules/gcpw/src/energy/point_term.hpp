@@ -1,0 +1,52 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_POINT_TERM_HPP
+#define OPENCV_GCPW_POINT_TERM_HPP
+
+#include <vector>
+#include "solver/normal_equations.hpp"
+#include "solver/robust_loss.hpp"
+#include "geometry/matches.hpp"
+#include "model/mesh_grid.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief Brings matched points together on the canvas (eq. geometerm, point part).
+
+    E_f = weight * sum_k w_k rho( | W_a(p_k) - W_b(p'_k) |^2 )
+
+p_k, p'_k are reference points of images a and b; with b fixed at rest W_b(p'_k) is the paper's fixed p'. Linear in both
+meshes: but for the loss one linearisation is exact. Residuals: 2 per match, canvas px. */
+class PointTerm
+{
+public:
+    /// @param shift_b canvas px by which b is seen beside its own place (a canvas that wraps around)
+    PointTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
+              const std::vector<PointMatch>& matches, double weight, Point2d shift_b = Point2d());
+
+    /// Returns the robust energy.
+    double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, NormalEquations& equations) const;
+
+    /// Distance of every match at present, canvas px, in the order given; infinite for one outside its image or
+    /// without a finite weight of 0 or more.
+    std::vector<double> distances(const MeshGrid& a, const MeshGrid& b) const;
+
+private:
+    struct Pair
+    {
+        CellPoint a;
+        CellPoint b;
+        double weight;
+    };
+    int image_a_;
+    int image_b_;
+    Point2d shift_b_;
+    std::vector<Pair> pairs_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,45 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_PROBLEM_HPP
+#define OPENCV_GCPW_PROBLEM_HPP
+
+#include <vector>
+#include "geometry/matches.hpp"
+#include "imaging/pyramid.hpp"
+#include "model/mesh_grid.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// One image of the alignment, at the working resolution.
+struct ProblemImage
+{
+    MeshGrid rough;                    ///< the rough alignment: where the lattice lies on the canvas before refinement
+    std::vector<PyramidLevel> pyramid; ///< may be empty if no method with pixels is used
+    bool fixed = false;                 ///< neither mesh nor colour changes
+};
+
+/// Two images that overlap, and what was matched between them.
+struct ProblemPair
+{
+    int a = -1; ///< its pixels are the samples
+    int b = -1;
+    Point2d shift_b; ///< canvas px by which b is seen beside its own place: a multiple of a wrapping canvas' width
+    MatchSet matches;
+};
+
+/// Everything the optimiser needs to know.
+struct Problem
+{
+    std::vector<ProblemImage> images;
+    std::vector<ProblemPair> pairs;
+
+    /// Three images or more: errors may add up from image to image, so something must hold shape and contrast.
+    bool hasManyImages() const { return images.size() > 2; }
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

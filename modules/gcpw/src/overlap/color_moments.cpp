@@ -1,0 +1,40 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "overlap/color_moments.hpp"
+
+#include <cmath>
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+const double MAX_GAIN = 3;
+const double MIN_CORRELATION_WEIGHT = 0.01; ///< keeps a colour that nothing else informs
+
+} // namespace
+
+double plausibleGain(double gain)
+{
+    return std::min(std::max(gain, 1 / MAX_GAIN), MAX_GAIN);
+}
+
+double correlationWeight(double source_variance, double target_variance, double correlation)
+{
+    if (std::min(source_variance, target_variance) < TEXTURE_VARIANCE)
+        return 1;
+    const double positive = std::max(correlation, 0.0);
+    return std::max(positive * positive, MIN_CORRELATION_WEIGHT);
+}
+
+double correlationWeight(const ColorMoments& moments)
+{
+    const double source = moments.sourceVariance(0);
+    const double target = moments.targetVariance(0);
+    return correlationWeight(source, target, moments.covariance(0) / std::sqrt(source * target));
+}
+
+} // namespace gcpw
+} // namespace cv

@@ -1,0 +1,58 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "registration/match_filter.hpp"
+
+#include "solver/mesh_system.hpp"
+#include "energy/point_term.hpp"
+#include "energy/similarity_term.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+const double DAMPING = 1e-4; ///< weight of a vertex step, px^2: keeps vertices finite that neither match nor similarity holds
+
+} // namespace
+
+GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
+                       Point2d shift_fixed, const MatchFilterSchedule& schedule)
+{
+    const PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1, shift_fixed);
+    const SimilarityTerm similarity(0, rough, schedule.similarity_weight);
+    MeshSystem system({moving.lattice(), fixed.lattice()}, {false, true});
+    MeshGrid mesh = moving;
+    for (double scale = schedule.start_px;; scale *= schedule.factor)
+    {
+        const RobustLoss loss(std::max(scale, schedule.end_px));
+        system.setZero();
+        system.addDamping(DAMPING);
+        points.linearize(mesh, fixed, loss, system);
+        similarity.linearize(mesh, system);
+        MeshStep step;
+        // One image moves, so that nothing is iterated: what is not solved has no solution.
+        if (system.solve(step) != SolveStatus::Solved)
+        {
+            matches.clear();
+            return GateStatus::Unsolved;
+        }
+        mesh = moved(mesh, step[0], 1);
+        if (scale <= schedule.end_px)
+            break;
+    }
+    const std::vector<double> distances = points.distances(mesh, fixed);
+    std::vector<PointMatch> kept;
+    for (size_t i = 0; i < matches.size(); ++i)
+        if (distances[i] <= schedule.keep_px)
+            kept.push_back(matches[i]);
+    matches.swap(kept);
+    if (mesh.countFolds() > 0)
+        return GateStatus::Folded; // as a prediction it would send neighbours to places in the wrong order
+    moving = mesh;
+    return GateStatus::Fitted;
+}
+
+} // namespace gcpw
+} // namespace cv

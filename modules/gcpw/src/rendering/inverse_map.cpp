@@ -1,0 +1,107 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "rendering/inverse_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+const double BORDER_FRACTION = 1e-9; ///< a pixel centre this far outside a quad still belongs to it
+
+const double FARTHEST = 1e9;         ///< px: rectangles of twice this size still fit an int
+
+struct Box
+{
+    int left, top, right, bottom; ///< inclusive pixels
+};
+
+/// Pixel centres inside the bounding box of a quad, clipped to the stripe.
+Box boxOf(const std::array<Point2d, 4>& quad, Rect clip)
+{
+    Point2d low = quad[0];
+    Point2d high = quad[0];
+    for (const Point2d& p : quad)
+    {
+        low = Point2d(std::min(low.x, p.x), std::min(low.y, p.y));
+        high = Point2d(std::max(high.x, p.x), std::max(high.y, p.y));
+    }
+    const auto bounded = [](double value) { return static_cast<int>(std::min(std::max(value, -1e9), 1e9)); };
+    return {std::max(bounded(std::ceil(low.x - BORDER_FRACTION)), clip.x),
+            std::max(bounded(std::ceil(low.y - BORDER_FRACTION)), clip.y),
+            std::min(bounded(std::floor(high.x + BORDER_FRACTION)), clip.x + clip.width - 1),
+            std::min(bounded(std::floor(high.y + BORDER_FRACTION)), clip.y + clip.height - 1)};
+}
+
+} // namespace
+
+Rect2d coveredBounds(const MeshGrid& mesh, const FrameScale& canvas)
+{
+    const Rect2d bounds = mesh.bounds();
+    const Point2d low = canvas.toFull(bounds.tl());
+    const Point2d high = canvas.toFull(bounds.br());
+    const Point2d first(std::ceil(low.x - BORDER_FRACTION), std::ceil(low.y - BORDER_FRACTION));
+    const Point2d last(std::floor(high.x + BORDER_FRACTION), std::floor(high.y + BORDER_FRACTION));
+    return {first, last + Point2d(1, 1)};
+}
+
+Rect coveredRect(const MeshGrid& mesh, const FrameScale& canvas)
+{
+    const Rect2d bounds = coveredBounds(mesh, canvas);
+    for (const double value : {bounds.x, bounds.y, bounds.x + bounds.width, bounds.y + bounds.height})
+        if (!(std::abs(value) <= FARTHEST))
+            CV_Error(Error::StsOutOfRange, format("gcpw: a mesh of %g x %g px at (%g, %g) lies beyond any canvas", bounds.width,
+                                                  bounds.height, bounds.x, bounds.y));
+    return bounds;
+}
+
+void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const FrameScale& source, Rect roi, Mat& map,
+                     Mat& mask)
+{
+    map.create(roi.size(), CV_32FC2);
+    map.setTo(Scalar::all(-1));
+    mask.create(roi.size(), CV_8UC1);
+    mask.setTo(Scalar(0));
+    const Lattice& lattice = mesh.lattice();
+    // Stripes of rows: every pixel is written by one thread, in the order of the cells.
+    const int stripe_height = 64;
+    const int stripes = (roi.height + stripe_height - 1) / stripe_height;
+    parallel_for_(Range(0, stripes), [&](const Range& range)
+    {
+        for (int stripe = range.start; stripe < range.end; ++stripe)
+        {
+            const int top = stripe * stripe_height;
+            const Rect clip(roi.x, roi.y + top, roi.width, std::min(stripe_height, roi.height - top));
+            for (int cell = 0; cell < lattice.cellCount(); ++cell)
+            {
+                std::array<Point2d, 4> quad;
+                for (int k = 0; k < 4; ++k)
+                    quad[k] = canvas.toFull(mesh.vertex(cell, k));
+                const Box box = boxOf(quad, clip);
+                for (int y = box.top; y <= box.bottom; ++y)
+                    for (int x = box.left; x <= box.right; ++x)
+                    {
+                        double u = 0;
+                        double v = 0;
+                        if (!invertBilinear(quad, Point2d(x, y), u, v) || !(std::abs(u - 0.5) <= 0.5 + BORDER_FRACTION) ||
+                            !(std::abs(v - 0.5) <= 0.5 + BORDER_FRACTION))
+                            continue;
+                        CellPoint point;
+                        point.cell = cell;
+                        point.weight = bilinearWeights(u, v);
+                        const Point2d from = source.toFull(lattice.referencePoint(point));
+                        map.at<Vec2f>(y - roi.y, x - roi.x) = Vec2f(static_cast<float>(from.x), static_cast<float>(from.y));
+                        mask.at<uchar>(y - roi.y, x - roi.x) = 255;
+                    }
+            }
+        }
+    });
+}
+
+} // namespace gcpw
+} // namespace cv

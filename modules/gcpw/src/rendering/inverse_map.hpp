@@ -1,0 +1,31 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_INVERSE_MAP_HPP
+#define OPENCV_GCPW_INVERSE_MAP_HPP
+
+#include "geometry/frame_scale.hpp"
+#include "model/mesh_grid.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// Full-resolution canvas rectangle that holds every pixel whose centre the mesh covers: whole numbers, however large.
+Rect2d coveredBounds(const MeshGrid& mesh, const FrameScale& canvas);
+
+/** @brief The same in int. @throws cv::Exception StsOutOfRange if the mesh reaches farther than 1e9 px or is not finite */
+Rect coveredRect(const MeshGrid& mesh, const FrameScale& canvas);
+
+/** @brief For every canvas pixel of `roi`, which point of the source it shows.
+@param mesh in work pixels on both sides
+@param canvas, source scales of the two frames
+@param roi full-resolution canvas pixels
+@param map CV_32FC2 of roi's size: full-resolution source position; (-1, -1) where the mesh does not cover the centre
+@param mask CV_8UC1 of roi's size: 255 exactly where the mesh covers the pixel's centre */
+void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const FrameScale& source, Rect roi, Mat& map,
+                     Mat& mask);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,98 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_COLOR_SYSTEM_HPP
+#define OPENCV_GCPW_COLOR_SYSTEM_HPP
+
+#include <vector>
+#include "solver/conjugate_gradient.hpp"
+#include "solver/normal_equations.hpp"
+#include "model/color_grid.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// Symmetric 2 x 2 block over (gain, bias) of one channel.
+struct ColorBlock
+{
+    double gain_gain = 0;
+    double gain_bias = 0;
+    double bias_bias = 0;
+};
+
+/** @brief The quadratic energy of all colour grids while the meshes stand still, and its exact minimum.
+
+The channels do not meet, so they are three systems of one shape: 2 x 2 blocks on the quads (samples, priors to reference) and
+between quads (smoothness within an image; samples between images). eliminate() also serves the mesh step: it removes the
+six colour unknowns of one quad from its mesh block (Schur complement) with its neighbours fixed at the present value. */
+class ColorSystem
+{
+public:
+    /// @param lattices one per image  @param fixed images whose colour does not change
+    ColorSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& fixed);
+
+    /// (color_a - color_b)^T block (color_a - color_b) in every channel; kept for good.
+    void addDifference(QuadId a, QuadId b, const ColorBlock& block);
+
+    /// weight * ((gain - reference gain)^2 + (bias - reference bias)^2) in every channel; one for a quad; kept until clearPriors().
+    void addPrior(QuadId quad, double weight, const ColorGrid::Quad& reference = ColorGrid::Quad());
+    void clearPriors();
+
+    /// What the samples of a quad say about its colour, linearised at `now`; kept until clearSamples().
+    void addSamples(QuadId quad, const PhotometricBlock& block, const ColorGrid::Quad& now);
+    /// What they say about the colour of the quad they are compared with.
+    void addCross(QuadId a, const ColorGrid::Quad& now_a, QuadId b, const ColorGrid::Quad& now_b,
+                    const CrossColor& block);
+    void clearSamples();
+
+    /// Takes the quad's colour unknowns out of `block`'s mesh part.
+    void eliminate(QuadId quad, const std::vector<ColorGrid>& now, PhotometricBlock& block) const;
+
+    /** Minimises; starts from the grids given and overwrites those that are not fixed.
+    @return NotPositiveDefinite if a system has no unique finite answer; the grids are then unchanged */
+    SolveStatus solve(std::vector<ColorGrid>& grids) const;
+
+    /// Energy of differences and priors (samples are not counted: the photometric term knows their robust energy).
+    double regularizationEnergy(const std::vector<ColorGrid>& grids) const;
+
+private:
+    struct Edge
+    {
+        int a; ///< node
+        int b;
+        ColorBlock block;
+    };
+    struct Coupling ///< data between the quads of two images: a^T block b, per channel
+    {
+        int a;
+        int b;
+        std::array<std::array<double, 4>, CHANNELS> block;
+    };
+    struct Node
+    {
+        std::array<ColorBlock, CHANNELS> samples;
+        std::array<std::array<double, 2>, CHANNELS> right{}; ///< right-hand side of the samples
+        double prior = 0;
+        ColorGrid::Quad reference;
+        ColorBlock edge_sum;
+        bool fixed = false;
+        std::vector<int> edges;
+    };
+
+    int nodeOf(QuadId quad) const { return first_[quad.image] + quad.cell; }
+    ColorBlock diagonal(const Node& node, int channel) const;
+    SolveStatus solveChannel(int channel, Eigen::VectorXd& x) const;
+    void multiply(int channel, const std::vector<ColorBlock>& diagonals, const Eigen::VectorXd& in,
+                  Eigen::VectorXd& out) const;
+    Eigen::VectorXd values(const std::vector<ColorGrid>& grids, int channel) const;
+
+    std::vector<int> first_; ///< first node of every image, and one past the last
+    std::vector<Node> nodes_;
+    std::vector<Edge> edges_;
+    std::vector<Coupling> couplings_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

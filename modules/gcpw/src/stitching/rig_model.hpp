@@ -1,0 +1,78 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_RIG_MODEL_HPP
+#define OPENCV_GCPW_RIG_MODEL_HPP
+
+#include <memory>
+#include <vector>
+#include "model/mesh_grid.hpp"
+#include "opencv2/gcpw/rig.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief The mesh of one image on the canvas of a base warper of some scale.
+
+The base warper's canvas is angles (or plane coordinates) times scale: it has no half-pixel offset, so that a mesh at another
+scale is the mesh times the ratio. The lattice's own reference pixels are the estimation's; referencePoint() converts. */
+class PlacedMesh
+{
+public:
+    /// @param image of an alignment  @param canvas_scale see Alignment::canvasScale()  @param ratio scale / estimation scale
+    PlacedMesh(const Alignment::Image& image, Size2d canvas_scale, double ratio);
+
+    const MeshGrid& mesh() const { return mesh_; }
+
+    /// Where the base warper has what the mesh shows at a canvas point; beside the mesh it goes on as it ends.
+    Point2d referenceAt(Point2d canvas_px, int& hint) const;
+
+    /// Canvas point of a point of the base warper's canvas. Beside the mesh the nearest border point's move is kept: to
+    /// extrapolate stretched border quads would run wild.
+    Point2d canvasAt(Point2d reference_canvas_px) const;
+
+    /// Base canvas point of a point of the lattice, and the way back.
+    Point2d referencePoint(Point2d lattice_px) const;
+    Point2d latticePoint(Point2d reference_canvas_px) const;
+
+private:
+    MeshGrid mesh_; ///< lattice px -> canvas px
+    Point2d step_;  ///< canvas px per lattice px
+    Point2d start_; ///< base canvas point of lattice point (0, 0)
+};
+
+/// A usable rig, ready to be rendered.
+class RigModel
+{
+public:
+    struct Item
+    {
+        Alignment::Image image;
+        Matx33f R;       ///< of the camera
+        double seam_rotation_rad = 0; ///< radians, see Rig::turns
+        bool isIdentity = false; ///< the mesh is where the base warper has the image
+    };
+
+    /// Nothing if the rig is not usable. @throws cv::Exception see Rig::check()
+    static std::shared_ptr<const RigModel> create(const Rig& rig);
+
+    const std::vector<Item>& items() const { return items_; }
+    float scale() const { return scale_; }
+    PlacedMesh place(int index, double scale) const
+    {
+        return {items_[index].image, canvas_scale_, scale / scale_};
+    }
+
+    /// Images whose camera has this rotation.
+    std::vector<int> find(const Matx33f& R) const;
+
+private:
+    std::vector<Item> items_;
+    Size2d canvas_scale_;
+    float scale_ = 1;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

@@ -1,0 +1,47 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_SHARED_STATE_HPP
+#define OPENCV_GCPW_SHARED_STATE_HPP
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <vector>
+#include "stitching/rig_model.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// What a warper's creator, the compensator and the stitcher's binding know together.
+struct SharedState
+{
+    Ptr<WarperCreator> base;
+    Rig rig;
+    std::shared_ptr<const RigModel> model; ///< of the rig; empty if it is not usable
+    std::vector<float> scales;             ///< of the warpers made, latest first, each once
+    std::weak_ptr<cv::detail::RotationWarper> warper; ///< made last: cv::Stitcher keeps it until its panorama is done
+    std::function<void()> before_create;   ///< the binding's chance to estimate; may be empty
+    std::function<void()> before_feed;     ///< the binding's chance to see what became of the stitcher; may be empty
+
+    void setRig(const Rig& new_rig)
+    {
+        // The model first: if it cannot be made, the rig of before stays whole.
+        const std::shared_ptr<const RigModel> new_model = RigModel::create(new_rig);
+        rig = new_rig;
+        model = new_model;
+    }
+
+    void noteScale(float scale)
+    {
+        const size_t enough = 16; // a stitcher has two
+        scales.erase(std::remove(scales.begin(), scales.end(), scale), scales.end());
+        scales.insert(scales.begin(), scale);
+        scales.resize(std::min(scales.size(), enough));
+    }
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

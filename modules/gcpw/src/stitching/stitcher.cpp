@@ -1,0 +1,83 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "opencv2/gcpw/stitcher.hpp"
+
+#include <opencv2/core/utils/logger.hpp>
+#include "stitching/seeded_matcher.hpp"
+#include "stitching/stitcher_binding.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+/// A stitcher's own part, also where an earlier attach() has wrapped it.
+Ptr<WarperCreator> plainWarper(const Ptr<Stitcher>& stitcher)
+{
+    const Ptr<GcpwWarper> wrapped = stitcher->warper().dynamicCast<GcpwWarper>();
+    return wrapped ? wrapped->base() : stitcher->warper();
+}
+
+Ptr<cv::detail::ExposureCompensator> plainCompensator(const Ptr<Stitcher>& stitcher)
+{
+    const Ptr<GcpwCompensator> wrapped = stitcher->exposureCompensator().dynamicCast<GcpwCompensator>();
+    return wrapped ? wrapped->fallback() : stitcher->exposureCompensator();
+}
+
+Ptr<Feature2D> plainFinder(const Ptr<Stitcher>& stitcher)
+{
+    const Ptr<ImageCapture> wrapped = stitcher->featuresFinder().dynamicCast<ImageCapture>();
+    return wrapped ? wrapped->finder() : stitcher->featuresFinder();
+}
+
+Ptr<cv::detail::FeaturesMatcher> plainMatcher(const Ptr<Stitcher>& stitcher)
+{
+    const Ptr<SeededMatcher> wrapped = stitcher->featuresMatcher().dynamicCast<SeededMatcher>();
+    return wrapped ? wrapped->matcher() : stitcher->featuresMatcher();
+}
+
+} // namespace
+
+Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params, const Progress& progress)
+{
+    if (!stitcher)
+        CV_Error(Error::StsNullPtr, "gcpw: attach() needs a stitcher");
+    params.check();
+    const Ptr<WarperCreator> base = plainWarper(stitcher);
+    if (!base)
+        CV_Error(Error::StsNullPtr, "gcpw: attach() needs a stitcher with a warper: call setWarper() before");
+    const Ptr<Feature2D> finder = plainFinder(stitcher);
+    const Ptr<cv::detail::FeaturesMatcher> matcher = plainMatcher(stitcher);
+    if (!finder || !matcher)
+        CV_LOG_WARNING(nullptr, "gcpw: the stitcher has no features " << (finder ? "matcher" : "finder")
+                                << ": it can compose after setTransform(), but not stitch()");
+    const Ptr<Binding> binding = makePtr<Binding>(stitcher, params, progress);
+    binding->shared_state()->base = base;
+    // The shared_state is part of the binding: a strong reference here would never be released.
+    const std::weak_ptr<Binding> weak = binding;
+    const auto hook = [weak](void (Binding::*call)())
+    {
+        return [weak, call]
+        {
+            if (const Ptr<Binding> alive = weak.lock())
+                (alive.get()->*call)();
+        };
+    };
+    binding->shared_state()->before_create = hook(&Binding::beforeCreate);
+    binding->shared_state()->before_feed = hook(&Binding::atWork);
+    // The warper keeps the binding alive for callers who drop it.
+    const std::shared_ptr<SharedState> shared_state(binding, binding->shared_state().get());
+    stitcher->setWarper(makePtr<GcpwWarper>(shared_state));
+    const Ptr<GcpwCompensator> compensator = makePtr<GcpwCompensator>(params, shared_state);
+    compensator->setFallback(plainCompensator(stitcher));
+    stitcher->setExposureCompensator(compensator);
+    stitcher->setFeaturesFinder(makePtr<ImageCapture>(finder, binding->shown(), hook(&Binding::atWork)));
+    stitcher->setFeaturesMatcher(makePtr<SeededMatcher>(matcher));
+    binding->installed();
+    return binding;
+}
+
+} // namespace gcpw
+} // namespace cv

@@ -1,0 +1,242 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "opencv2/gcpw/warper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include "stitching/affine_warper.hpp"
+#include "stitching/rig_model.hpp"
+#include "stitching/seam_rotation.hpp"
+#include "stitching/warp_maps.hpp"
+#include "rendering/extension.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+namespace detail
+{
+
+namespace
+{
+
+const int MAX_SIDE = 32766; ///< px: cv::remap takes no more
+const int TILE = 1024;      ///< rows a remap call: bounds its temporaries
+
+Mat floats(InputArray matrix, const char* name)
+{
+    Mat result;
+    matrix.getMat().convertTo(result, CV_32F);
+    CV_CheckEQ(result.total(), size_t(9), "gcpw: a camera matrix is 3 x 3");
+    if (!checkRange(result))
+        CV_Error(Error::StsBadArg, format("gcpw: the camera's %s holds values that are not finite", name));
+    return result;
+}
+
+/// A bad camera must not eat the memory.
+void checkRoi(Rect roi)
+{
+    if (roi.width <= 0 || roi.height <= 0 || roi.width > MAX_SIDE || roi.height > MAX_SIDE)
+        CV_Error(Error::StsOutOfRange,
+                 format("gcpw: the camera would make a picture of %d x %d px, more than %d px a side", roi.width, roi.height, MAX_SIDE));
+}
+
+/// What a call does: calls of one kind come in the order of the images.
+enum class Call
+{
+    Point,
+    Roi,
+    Image,
+    Mask
+};
+
+} // namespace
+
+class GcpwWarper::Impl
+{
+public:
+    Ptr<cv::detail::RotationWarper> base;
+    std::shared_ptr<const RigModel> model;
+
+    /// The camera of one call and the image it belongs to; -1 for none or one at rest: the base warper answers.
+    struct CameraCall
+    {
+        Mat K;
+        Matx33f R;
+        int index = -1;
+    };
+
+    CameraCall camera_call(InputArray K, InputArray R, Call call)
+    {
+        CameraCall result;
+        result.K = floats(K, "K");
+        result.R = Matx33f(floats(R, "R").ptr<float>());
+        if (!model)
+            return result;
+        const std::vector<int> found = model->find(result.R);
+        if (found.empty())
+            return result;
+        // Equal rotations: OpenCV asks for images in their order, and again from the first.
+        const size_t nth = found.size() == 1 || call == Call::Point ? 0 : calls_[{found[0], call}]++ % found.size();
+        const int index = found[nth];
+        result.index = model->items()[index].isIdentity ? -1 : index;
+        return result;
+    }
+
+    WarpMaps maps(const CameraCall& camera_call)
+    {
+        return {*base, model->place(camera_call.index, base->getScale()), camera_call.K, camera_call.R, model->items()[camera_call.index].seam_rotation_rad};
+    }
+
+    /// What warp() is called with. Masks have one channel; where the photographs have one too, the flags that cv::Stitcher
+    /// and everybody's loops warp masks with tell them apart.
+    Call kindOf(int channels, int interp_mode, int border_mode)
+    {
+        photometric_ = photometric_ || channels != 1;
+        const bool nearest = interp_mode == INTER_NEAREST || interp_mode == INTER_NEAREST_EXACT;
+        return channels == 1 && (photometric_ || (nearest && border_mode == BORDER_CONSTANT)) ? Call::Mask : Call::Image;
+    }
+
+    /// The maps of an image: its mask is warped right after it, with the same ones.
+    void build(const CameraCall& camera_call, Size size)
+    {
+        const Key key{camera_call.index, size, Matx33f(camera_call.K.ptr<float>()), base->getScale()};
+        if (!x_map.empty() && key == key_)
+            return;
+        const WarpMaps warp = maps(camera_call);
+        const Rect rect = warp.roi(size);
+        checkRoi(rect);
+        warp.build(size, rect, x_map, y_map);
+        roi = rect;
+        key_ = key;
+    }
+
+    Mat x_map;
+    Mat y_map;
+    Rect roi;
+
+private:
+    struct Key
+    {
+        int index = -1;
+        Size size;
+        Matx33f K;
+        float scale = 0;
+        bool operator==(const Key& other) const
+        {
+            return index == other.index && size == other.size && K == other.K && scale == other.scale;
+        }
+    };
+
+    std::map<std::pair<int, Call>, size_t> calls_;
+    bool photometric_ = false; ///< an image of several channels was warped
+    Key key_;
+};
+
+GcpwWarper::GcpwWarper(const Ptr<cv::detail::RotationWarper>& base, const std::shared_ptr<const RigModel>& model)
+    : impl_(new Impl)
+{
+    impl_->base = base;
+    impl_->model = model;
+}
+
+GcpwWarper::~GcpwWarper() = default;
+
+Point2f GcpwWarper::warpPoint(const Point2f& pt, InputArray K, InputArray R)
+{
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Point);
+    if (camera_call.index < 0)
+        return impl_->base->warpPoint(pt, camera_call.K, Mat(camera_call.R));
+    return impl_->maps(camera_call).canvasAt(pt);
+}
+
+Point2f GcpwWarper::warpPointBackward(const Point2f& pt, InputArray K, InputArray R)
+{
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Point);
+    if (camera_call.index < 0)
+        return impl_->base->warpPointBackward(pt, camera_call.K, Mat(camera_call.R));
+    return impl_->maps(camera_call).imageAt(pt);
+}
+
+Rect GcpwWarper::warpRoi(Size src_size, InputArray K, InputArray R)
+{
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Roi);
+    const Rect roi = camera_call.index < 0 ? impl_->base->warpRoi(src_size, camera_call.K, Mat(camera_call.R))
+                                       : impl_->maps(camera_call).roi(src_size);
+    checkRoi(roi);
+    return roi;
+}
+
+Rect GcpwWarper::buildMaps(Size src_size, InputArray K, InputArray R, OutputArray xmap, OutputArray ymap)
+{
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Image);
+    if (camera_call.index < 0)
+    {
+        checkRoi(impl_->base->warpRoi(src_size, camera_call.K, Mat(camera_call.R)));
+        return impl_->base->buildMaps(src_size, camera_call.K, Mat(camera_call.R), xmap, ymap);
+    }
+    impl_->build(camera_call, src_size);
+    impl_->x_map.copyTo(xmap);
+    impl_->y_map.copyTo(ymap);
+    return {impl_->roi.tl(), impl_->roi.br() - Point(1, 1)};
+}
+
+Point GcpwWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, OutputArray dst)
+{
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, impl_->kindOf(src.channels(), interp_mode, border_mode));
+    if (camera_call.index < 0)
+    {
+        checkRoi(impl_->base->warpRoi(src.size(), camera_call.K, Mat(camera_call.R)));
+        return impl_->base->warp(src, camera_call.K, Mat(camera_call.R), interp_mode, border_mode, dst);
+    }
+    Mat image = src.getMat();
+    impl_->build(camera_call, image.size());
+    dst.create(impl_->roi.size(), image.type());
+    Mat picture = dst.getMat();
+    // One tile must not overwrite what the next one reads.
+    if (image.datastart < picture.dataend && picture.datastart < image.dataend)
+        image = image.clone();
+    for (int top = 0; top < picture.rows; top += TILE)
+    {
+        const Range rows(top, std::min(top + TILE, picture.rows));
+        Mat part = picture.rowRange(rows);
+        remap(image, part, impl_->x_map.rowRange(rows), impl_->y_map.rowRange(rows), interp_mode, border_mode);
+    }
+    // A mirrored image ends nowhere under the base warper either: blenders mix what lies beyond the border.
+    if (border_mode == BORDER_REFLECT || border_mode == BORDER_REFLECT_101 || border_mode == BORDER_REPLICATE)
+        extendOutside(picture, (impl_->x_map != -1) | (impl_->y_map != -1));
+    return impl_->roi.tl();
+}
+
+void GcpwWarper::warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
+                              Size dst_size, OutputArray dst)
+{
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Image);
+    if (camera_call.index < 0)
+    {
+        impl_->base->warpBackward(src, camera_call.K, Mat(camera_call.R), interp_mode, border_mode, dst_size, dst);
+        return;
+    }
+    const WarpMaps warp = impl_->maps(camera_call);
+    const Rect roi = warp.roi(dst_size);
+    checkPicture(src.size(), roi.size());
+    Mat x_map;
+    Mat y_map;
+    warp.buildForward(dst_size, roi.tl(), x_map, y_map);
+    remap(src, dst, x_map, y_map, interp_mode, border_mode);
+}
+
+float GcpwWarper::getScale() const
+{
+    return impl_->base->getScale();
+}
+
+void GcpwWarper::setScale(float scale)
+{
+    impl_->base->setScale(scale);
+}
+
+} // namespace detail
+} // namespace gcpw
+} // namespace cv

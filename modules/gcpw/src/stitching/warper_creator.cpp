@@ -1,0 +1,56 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "stitching/affine_warper.hpp"
+#include "stitching/shared_state.hpp"
+#include "opencv2/gcpw/compensator.hpp"
+#include "opencv2/gcpw/warper.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+GcpwWarper::GcpwWarper(const Ptr<WarperCreator>& base, const Rig& rig) : shared_state_(std::make_shared<SharedState>())
+{
+    if (!base)
+        CV_Error(Error::StsNullPtr, "gcpw: GcpwWarper needs a base warper");
+    shared_state_->base = base;
+    shared_state_->setRig(rig);
+}
+
+GcpwWarper::GcpwWarper(const std::shared_ptr<SharedState>& shared_state) : shared_state_(shared_state) {}
+
+Ptr<cv::detail::RotationWarper> GcpwWarper::create(float scale) const
+{
+    // The hook calls the user, who may replace the stitcher's warper, which is this object.
+    const std::shared_ptr<SharedState> shared_state = shared_state_;
+    if (shared_state->before_create)
+        shared_state->before_create();
+    const Ptr<cv::detail::RotationWarper> warper =
+        makePtr<detail::GcpwWarper>(trueWarper(shared_state->base->create(scale)), shared_state->model);
+    shared_state->noteScale(scale);
+    shared_state->warper = warper;
+    return warper;
+}
+
+const Rig& GcpwWarper::rig() const
+{
+    return shared_state_->rig;
+}
+
+void GcpwWarper::setRig(const Rig& rig)
+{
+    shared_state_->setRig(rig);
+}
+
+Ptr<WarperCreator> GcpwWarper::base() const
+{
+    return shared_state_->base;
+}
+
+Ptr<GcpwCompensator> GcpwWarper::compensator(const Params& params) const
+{
+    return makePtr<GcpwCompensator>(params, shared_state_);
+}
+
+} // namespace gcpw
+} // namespace cv
