@@ -63,17 +63,26 @@ std::vector<TermEnergy> Energy::linearize(const State& state, NormalEquations& e
 {
     const std::vector<Part> parts = partsOfAll();
     std::vector<double> values(parts.size());
-    buffers_.resize(PARTS_AT_ONCE);
-    for (size_t first = 0; first < parts.size(); first += PARTS_AT_ONCE)
+    std::vector<size_t> shared; // parts of terms that threads share
+    for (size_t i = 0; i < parts.size(); ++i)
     {
-        const int count = static_cast<int>(std::min(parts.size() - first, static_cast<size_t>(PARTS_AT_ONCE)));
+        EnergyTerm& term = *terms_[parts[i].term];
+        if (term.parts() > 1)
+            shared.push_back(i);
+        else
+            values[i] = term.linearize(state, equations); // quick: not worth a buffer
+    }
+    buffers_.resize(PARTS_AT_ONCE);
+    for (size_t first = 0; first < shared.size(); first += PARTS_AT_ONCE)
+    {
+        const int count = static_cast<int>(std::min(shared.size() - first, static_cast<size_t>(PARTS_AT_ONCE)));
         parallel_for_(Range(0, count), [&](const Range& range)
         {
             for (int i = range.start; i < range.end; ++i)
             {
-                const Part& part = parts[first + i];
+                const Part& part = parts[shared[first + i]];
                 buffers_[i].clear();
-                values[first + i] = terms_[part.term]->linearizePart(state, part.part, buffers_[i]);
+                values[shared[first + i]] = terms_[part.term]->linearizePart(state, part.part, buffers_[i]);
             }
         }, count);
         for (int i = 0; i < count; ++i)

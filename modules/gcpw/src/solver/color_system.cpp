@@ -106,7 +106,7 @@ void ColorSystem::clearSamples()
     }
 }
 
-void ColorSystem::addSamples(QuadId quad, const PhotometricBlock& block, const ColorGrid::Quad& now)
+void ColorSystem::addSamples(QuadId quad, const SampleColor& block, const ColorGrid::Quad& now)
 {
     Node& node = nodes_[nodeOf(quad)];
     for (int c = 0; c < CHANNELS; ++c)

@@ -30,7 +30,7 @@ public:
     void addColorPrior(QuadId quad, double weight, const ColorGrid::Quad& reference) override;
 
     /// What the samples of a quad say about its colour, linearised at `now`; kept until clearSamples().
-    void addSamples(QuadId quad, const PhotometricBlock& block, const ColorGrid::Quad& now);
+    void addSamples(QuadId quad, const SampleColor& block, const ColorGrid::Quad& now);
     /// What they say about the colour of the quad they are compared with.
     void addCross(QuadId a, const ColorGrid::Quad& now_a, QuadId b, const ColorGrid::Quad& now_b,
                     const CrossColor& block);

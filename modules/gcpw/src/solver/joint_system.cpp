@@ -59,7 +59,7 @@ void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGri
     colors_.clearSamples();
     for (const EquationBuffer::Photometric& item : photometric_)
     {
-        PhotometricBlock moved = item.block;
+        SampleColor moved = item.block;
         const int vertices = step ? static_cast<int>((*step)[item.quad.image].size()) : 0;
         for (int i = 0; vertices > 0 && i < 8; ++i)
         {

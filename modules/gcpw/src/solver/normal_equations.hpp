@@ -33,16 +33,21 @@ struct ColorBlock
 
 const int COLOR_UNKNOWNS = 2 * CHANNELS; ///< of a quad: gain, bias per channel
 
+/// What the samples of one quad say about its colour.
+struct SampleColor
+{
+    std::array<std::array<double, 3>, CHANNELS> color_color{};    ///< per channel: gain-gain, gain-bias, bias-bias
+    std::array<std::array<double, 2>, CHANNELS> color_gradient{}; ///< per channel: J_color^T r
+};
+
 /** @brief What the photometric samples of one quad say about its mesh and its colour, summed up (normal form).
 
 Mesh unknowns are ordered as in QuadRow, colour unknowns gain, bias per channel. */
-struct PhotometricBlock
+struct PhotometricBlock : SampleColor
 {
     QuadBlock mesh_mesh{};                                             ///< upper triangle
     QuadRow mesh_gradient{};                                           ///< J^T r
     std::array<std::array<double, COLOR_UNKNOWNS>, 8> mesh_color{};    ///< J_mesh^T J_color
-    std::array<std::array<double, 3>, CHANNELS> color_color{};         ///< per channel: gain-gain, gain-bias, bias-bias
-    std::array<std::array<double, 2>, CHANNELS> color_gradient{};      ///< per channel: J_color^T r
     double energy = 0;
     int samples = 0;
 };
