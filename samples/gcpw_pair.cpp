@@ -78,11 +78,12 @@ Job parse(const cv::CommandLineParser& parser)
     return job;
 }
 
-void addEnergies(Json& json, const std::string& key, const TermEnergies& e)
+void addEnergies(Json& json, const std::string& key, const std::vector<TermEnergy>& energies)
 {
     json.beginObject(key);
-    json.add("photometric", e.photometric).add("points", e.points).add("lines", e.lines).add("anchors", e.anchors);
-    json.add("similarity", e.similarity).add("color", e.color).add("total", e.total());
+    for (const TermEnergy& energy : energies)
+        json.add(energy.name, energy.value);
+    json.add("total", totalEnergy(energies));
     json.endObject();
 }
 

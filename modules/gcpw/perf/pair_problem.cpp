@@ -41,45 +41,38 @@ PairProblem::PairProblem(bool target_moves) : target_moves_(target_moves)
     if (target_moves)
         states_[1].mesh = bentMesh(lattices_[1], 0.5, 1);
     holdShapes();
-    pixels(params.sampleStep).linearize(states_, target_moves, loss(), samples_);
+    const gcpw::OverlapSamples overlap = samples(params.sampleStep);
+    gcpw::PhotometricTerm(overlap, options()).linearize(states_, equations_);
 }
 
+/// Similarity and, where both images move, the shape prior: nothing else says where the canvas is then.
 void PairProblem::holdShapes()
 {
     const gcpw::Params params;
     for (int i = 0; i < static_cast<int>(lattices_.size()); ++i)
     {
-        similarity_.emplace_back(i, states_[i].mesh, params.similarityWeight);
+        gcpw::SimilarityTerm(i, states_[i].mesh, params.similarityWeight).linearize(states_, equations_);
         std::vector<int> cells(lattices_[i].cellCount());
         std::iota(cells.begin(), cells.end(), 0);
-        if (target_moves_) // as where several images move: nothing else says where the canvas is
-            shape_priors_.emplace_back(i, states_[i].mesh, cells, params.restWeight);
+        if (target_moves_)
+            gcpw::AnchorTerm(i, states_[i].mesh, cells, params.restWeight).linearize(states_, equations_);
     }
 }
 
-gcpw::PhotometricTerm PairProblem::pixels(int step) const
+gcpw::OverlapSamples PairProblem::samples(int step) const
+{
+    return {0, 1, levels_[0], levels_[1], states_[0].mesh.lattice(), step, gcpw::Params().contrastFloor};
+}
+
+gcpw::PhotometricTerm::Options PairProblem::options() const
 {
     const gcpw::Params params;
     gcpw::PhotometricTerm::Options options;
-    options.step = step;
     options.weight = params.photometricWeight;
-    options.contrast_floor = params.contrastFloor;
     options.gain_support = params.gainSupport;
-    return {0, 1, levels_[0], levels_[1], states_[0].mesh.lattice(), options};
-}
-
-gcpw::RobustLoss PairProblem::loss() const
-{
-    return gcpw::RobustLoss(0.1 * gcpw::Params().robustScale); // in local standard deviations, as on the finest level
-}
-
-void PairProblem::accumulate(gcpw::NormalEquations& equations) const
-{
-    samples_.addTo(equations);
-    for (size_t i = 0; i < similarity_.size(); ++i)
-        similarity_[i].linearize(states_[i].mesh, equations);
-    for (const gcpw::AnchorTerm& reference : shape_priors_)
-        reference.linearize(states_[reference.image()].mesh, equations);
+    options.target_moves = target_moves_;
+    options.loss = gcpw::RobustLoss(0.1 * params.robustScale); // in local standard deviations, as on the finest level
+    return options;
 }
 
 } // namespace opencv_test

@@ -33,22 +33,20 @@ public:
     const std::vector<gcpw::ImageState>& states() const { return states_; }
     std::vector<bool> fixed() const { return std::vector<bool>(lattices_.size(), false); }
 
-    gcpw::PhotometricTerm pixels(int step) const;
-    gcpw::RobustLoss loss() const;
+    gcpw::OverlapSamples samples(int step) const;
+    gcpw::PhotometricTerm::Options options() const;
 
-    /// Accumulates the samples of every second pixel, summed up beforehand, and what holds the meshes.
-    void accumulate(gcpw::NormalEquations& equations) const;
+    /// Adds the samples of every second pixel, summed up beforehand, and what holds the meshes.
+    void accumulate(gcpw::NormalEquations& equations) const { equations_.addTo(equations); }
 
 private:
     void holdShapes();
 
     bool target_moves_;
     std::vector<gcpw::PyramidLevel> levels_;
-    std::vector<gcpw::ImageState> states_;
+    gcpw::State states_;
     std::vector<gcpw::Lattice> lattices_; ///< of the images that have unknowns
-    gcpw::EquationBuffer samples_;
-    std::vector<gcpw::SimilarityTerm> similarity_;
-    std::vector<gcpw::AnchorTerm> shape_priors_;
+    gcpw::EquationBuffer equations_;
 };
 
 } // namespace opencv_test

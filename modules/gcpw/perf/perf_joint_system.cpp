@@ -32,7 +32,7 @@ PERF_TEST(Gcpw_JointSystem, step_of_mesh_and_colors)
     const ThreadCount threads(1);
     const PairProblem problem(false);
     gcpw::JointSystem system(problem.lattices(), problem.fixed(), problem.fixed());
-    gcpw::addColorSmoothness(0, problem.lattices()[0], gcpw::Params().colorSmoothnessWeight, system.colors());
+    const gcpw::ColorSmoothnessTerm smoothness(0, problem.lattices()[0], gcpw::Params().colorSmoothnessWeight);
     const std::vector<gcpw::ColorGrid> start{problem.states()[0].color};
     std::vector<gcpw::ColorGrid> colors;
     gcpw::MeshStep step;
@@ -42,6 +42,7 @@ PERF_TEST(Gcpw_JointSystem, step_of_mesh_and_colors)
         colors = start;
         system.setZero();
         system.addDamping(DAMPING);
+        smoothness.addTo(system);
         problem.accumulate(system);
         solved = system.solveMeshes(colors, step) == gcpw::SolveStatus::Solved && solved;
         solved = system.solveColorsAfter(step, colors) == gcpw::SolveStatus::Solved && solved;

@@ -84,7 +84,7 @@ void addColors(const RecordingEquations& record, Entries& entries)
     }
 }
 
-/// See addColorSmoothness(): 2 * weight * sum over x of (gain x + bias)^2, between neighbours.
+/// See ColorSmoothnessTerm: 2 * weight * sum over x of (gain x + bias)^2, between neighbours.
 void addSmoothness(const RecordingEquations& record, const gcpw::Lattice& lattice, Entries& entries)
 {
     const double weight = 2 * gcpw::Params().colorSmoothnessWeight;

@@ -74,6 +74,22 @@ inline TermState movedState()
     return state;
 }
 
+/// A photometric term that owns its samples, of source level and target level.
+inline std::shared_ptr<cv::gcpw::EnergyTerm> photometricTerm(const cv::gcpw::PyramidLevel& source, const cv::gcpw::PyramidLevel& target,
+                                                             const cv::gcpw::PhotometricTerm::Options& options, int step = 3,
+                                                             double contrast_floor = 0)
+{
+    struct Owner
+    {
+        cv::gcpw::OverlapSamples samples;
+        cv::gcpw::PhotometricTerm term;
+        Owner(const cv::gcpw::OverlapSamples& s, const cv::gcpw::PhotometricTerm::Options& o) : samples(s), term(samples, o) {}
+    };
+    const auto owner =
+        std::make_shared<Owner>(cv::gcpw::OverlapSamples(0, 1, source, target, SOURCE, step, contrast_floor), options);
+    return std::shared_ptr<cv::gcpw::EnergyTerm>(owner, &owner->term);
+}
+
 } // namespace opencv_test
 
 #endif

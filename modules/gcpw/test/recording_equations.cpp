@@ -100,7 +100,7 @@ Eigen::VectorXd RecordingEquations::gradient() const
         for (int k = 0; k < 6; ++k)
             g[colorColumn(item.quad, k)] += item.block.color_gradient[k / 2][k % 2];
     }
-    for (const Partner& item : targets)
+    for (const Target& item : targets)
     {
         for (int k = 0; k < 8; ++k)
             g[meshColumn(item.b, k)] += item.block.mesh_gradient[k];
@@ -143,7 +143,7 @@ Eigen::MatrixXd RecordingEquations::matrix() const
             for (int k = 0; k < 6; ++k)
                 addBothWays(meshColumn(item.quad, i), colorColumn(item.quad, k), item.block.mesh_color[i][k], m);
     }
-    for (const Partner& item : targets)
+    for (const Target& item : targets)
     {
         addOwn(item.b, item.block.mesh_mesh, item.block.color_color, m);
         for (int i = 0; i < 8; ++i)
@@ -155,6 +155,16 @@ Eigen::MatrixXd RecordingEquations::matrix() const
                             item.block.color_cross[c][k], m);
     }
     return m;
+}
+
+void RecordingEquations::addColorDifference(QuadId a, QuadId b, const ColorBlock& block)
+{
+    differences.push_back({a, b, block});
+}
+
+void RecordingEquations::addColorPrior(QuadId quad, double weight, const ColorGrid::Quad& reference)
+{
+    priors.push_back({quad, weight, reference});
 }
 
 } // namespace opencv_test

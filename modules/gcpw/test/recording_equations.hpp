@@ -33,7 +33,19 @@ public:
         cv::gcpw::QuadId quad;
         cv::gcpw::PhotometricBlock block;
     };
-    struct Partner
+    struct Difference
+    {
+        cv::gcpw::QuadId a;
+        cv::gcpw::QuadId b;
+        cv::gcpw::ColorBlock block;
+    };
+    struct Prior
+    {
+        cv::gcpw::QuadId quad;
+        double weight;
+        cv::gcpw::ColorGrid::Quad reference;
+    };
+    struct Target
     {
         cv::gcpw::QuadId a;
         cv::gcpw::QuadId b;
@@ -49,6 +61,8 @@ public:
                   double energy) override;
     void addPhotometric(cv::gcpw::QuadId quad, const cv::gcpw::PhotometricBlock& block) override;
     void addCross(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::CrossBlock& block) override;
+    void addColorDifference(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::ColorBlock& block) override;
+    void addColorPrior(cv::gcpw::QuadId quad, double weight, const cv::gcpw::ColorGrid::Quad& reference) override;
 
     bool empty() const { return rows.empty() && blocks.empty() && targets.empty(); }
 
@@ -66,7 +80,9 @@ public:
 
     std::vector<Row> rows;
     std::vector<Block> blocks;
-    std::vector<Partner> targets;
+    std::vector<Target> targets;
+    std::vector<Difference> differences; ///< in the values of colours: not part of the dense problem
+    std::vector<Prior> priors;           ///< likewise
 
 private:
     void addOwn(cv::gcpw::QuadId quad, const cv::gcpw::QuadBlock& mesh,

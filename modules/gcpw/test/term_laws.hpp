@@ -5,7 +5,9 @@
 #include "test_precomp.hpp"
 
 #include <functional>
+#include <memory>
 #include <vector>
+#include "energy/energy_term.hpp"
 #include "model/color_grid.hpp"
 #include "model/mesh_grid.hpp"
 #include "recording_equations.hpp"
@@ -31,6 +33,14 @@ struct TermState
         std::vector<cv::gcpw::Lattice> all;
         for (const cv::gcpw::MeshGrid& mesh : meshes)
             all.push_back(mesh.lattice());
+        return all;
+    }
+
+    cv::gcpw::State state() const
+    {
+        cv::gcpw::State all;
+        for (size_t i = 0; i < meshes.size(); ++i)
+            all.push_back({meshes[i], colors[i]});
         return all;
     }
 
@@ -60,6 +70,32 @@ struct TermState
 typedef std::function<double(const TermState&, cv::gcpw::NormalEquations&)> LinearizeTerm;
 
 /// A random displacement of the unknowns [first, last) of a equations, of unit length per unknown, zero elsewhere.
+/// A term as the laws below take it. Along the way: what the line search evaluates is what was linearised.
+inline LinearizeTerm linearizing(const std::shared_ptr<cv::gcpw::EnergyTerm>& term)
+{
+    return [term](const TermState& at, cv::gcpw::NormalEquations& equations)
+    {
+        const cv::gcpw::State state = at.state();
+        const double energy = term->linearize(state, equations);
+        const double value = term->evaluate(state);
+        EXPECT_TRUE(std::isnan(energy) ? std::isnan(value) : std::abs(value - energy) <= 1e-9 * std::max(1.0, std::abs(energy)))
+            << value << " is evaluated, " << energy << " linearised";
+        return energy;
+    };
+}
+
+/// The same in parts.
+inline LinearizeTerm linearizingParts(const std::shared_ptr<cv::gcpw::EnergyTerm>& term)
+{
+    return [term](const TermState& at, cv::gcpw::NormalEquations& equations)
+    {
+        double energy = 0;
+        for (int part = 0; part < term->parts(); ++part)
+            energy += term->linearizePart(at.state(), part, equations);
+        return energy;
+    };
+}
+
 inline Eigen::VectorXd randomMotion(const RecordingEquations& equations, int first, int last, uint64_t seed)
 {
     RNG rng = seeded(seed);

@@ -19,8 +19,7 @@ MeshGrid anchorMesh()
 
 LinearizeTerm accumulateAnchors(const std::vector<int>& cells)
 {
-    const AnchorTerm term(0, anchorMesh(), cells, WEIGHT);
-    return [term](const TermState& state, NormalEquations& equations) { return term.linearize(state.meshes[0], equations); };
+    return linearizing(std::make_shared<AnchorTerm>(0, anchorMesh(), cells, WEIGHT));
 }
 
 TermState displaced()

@@ -4,7 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include "imaging/pyramid.hpp"
 #include "color/exposures.hpp"
-#include "optimization/color_reference.hpp"
+#include "color/color_priors.hpp"
+#include "solver/color_system.hpp"
 #include "api/result.hpp"
 #include "scene.hpp"
 
@@ -37,18 +38,18 @@ Problem chain(bool first_held)
     return problem;
 }
 
-std::vector<PhotometricTerm> termsOf(const Problem& problem)
+std::vector<OverlapSamples> overlapsOf(const Problem& problem)
 {
-    std::vector<PhotometricTerm> terms;
+    std::vector<OverlapSamples> overlaps;
     for (int i = 1; i < 3; ++i)
-        terms.emplace_back(i, i - 1, problem.images[i].pyramid[0], problem.images[i - 1].pyramid[0], LATTICE, PhotometricTerm::Options());
-    return terms;
+        overlaps.emplace_back(i, i - 1, problem.images[i].pyramid[0], problem.images[i - 1].pyramid[0], LATTICE, 3);
+    return overlaps;
 }
 
-TEST(Gcpw_ColorReference, exposures_along_a_chain_are_found)
+TEST(Gcpw_Exposures, exposures_along_a_chain_are_found)
 {
     const Problem problem = chain(true);
-    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(termsOf(problem), roughStates(problem)), {true, false, false});
+    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(overlapsOf(problem), roughStates(problem)), {true, false, false});
     EXPECT_NEAR(found[0][0].gain, 1, 1e-3);
     EXPECT_NEAR(found[0][0].bias, 0, 1e-3);
     for (int i = 1; i < 3; ++i)
@@ -59,10 +60,10 @@ TEST(Gcpw_ColorReference, exposures_along_a_chain_are_found)
     }
 }
 
-TEST(Gcpw_ColorReference, an_image_that_is_fixed_keeps_its_own_colors_to_the_last_bit)
+TEST(Gcpw_Exposures, an_image_that_is_fixed_keeps_its_own_colors_to_the_last_bit)
 {
     const Problem problem = chain(true);
-    const std::vector<ColorComparison> comparisons = compareColors(termsOf(problem), roughStates(problem));
+    const std::vector<ColorComparison> comparisons = compareColors(overlapsOf(problem), roughStates(problem));
     const ColorGrid::Quad first = estimateExposures(comparisons, {true, false, false})[0];
     for (const ChannelAffine& map : first)
     {
@@ -73,10 +74,10 @@ TEST(Gcpw_ColorReference, an_image_that_is_fixed_keeps_its_own_colors_to_the_las
         EXPECT_EQ(quad[0].gain, 1);
 }
 
-TEST(Gcpw_ColorReference, where_no_image_is_fixed_exposures_are_one_on_average)
+TEST(Gcpw_Exposures, where_no_image_is_fixed_exposures_are_one_on_average)
 {
     const Problem problem = chain(false);
-    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(termsOf(problem), roughStates(problem)), {false, false, false});
+    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(overlapsOf(problem), roughStates(problem)), {false, false, false});
     double log_gain = 0;
     double bias = 0;
     for (const ColorGrid::Quad& quad : found)
@@ -89,25 +90,28 @@ TEST(Gcpw_ColorReference, where_no_image_is_fixed_exposures_are_one_on_average)
     EXPECT_NEAR(found[1][0].gain / found[0][0].gain, GAINS[0] / GAINS[1], 0.03 * GAINS[0] / GAINS[1]);
 }
 
-TEST(Gcpw_ColorReference, misalignment_hardly_matters)
+TEST(Gcpw_Exposures, misalignment_hardly_matters)
 {
     const Problem problem = chain(true);
     std::vector<ImageState> states = roughStates(problem);
     for (Point2d& vertex : states[1].mesh.vertices())
         vertex += Point2d(6, -5);
-    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(termsOf(problem), states), {true, false, false});
+    const std::vector<ColorGrid::Quad> found = estimateExposures(compareColors(overlapsOf(problem), states), {true, false, false});
     for (int i = 1; i < 3; ++i)
         EXPECT_NEAR(found[i][0].gain, 1 / GAINS[i], 0.15 / GAINS[i]);
 }
 
-TEST(Gcpw_ColorReference, quads_without_samples_take_the_exposure_of_their_image)
+TEST(Gcpw_ColorPriors, quads_without_samples_take_the_exposure_of_their_image)
 {
     const Problem problem = chain(true);
     const std::vector<ImageState> states = roughStates(problem);
-    const std::vector<ColorComparison> comparisons = compareColors(termsOf(problem), states);
+    const std::vector<ColorComparison> comparisons = compareColors(overlapsOf(problem), states);
     const std::vector<ColorGrid::Quad> exposures = estimateExposures(comparisons, {true, false, false});
     ColorSystem system({LATTICE, LATTICE, LATTICE}, {true, false, false});
-    ColorReference(problem, 1, 1).prior(comparisons, system);
+    const ImagePriors at_exposures{std::vector<double>(3, 1), exposures};
+    const std::vector<ColorPriors> priors = colorPriors(comparisons, {LATTICE, LATTICE, LATTICE}, at_exposures, at_exposures);
+    for (int i = 0; i < 3; ++i)
+        ColorPriorTerm(i, priors[i]).addTo(system);
     std::vector<ColorGrid> grids(3, ColorGrid(LATTICE));
     ASSERT_EQ(system.solve(grids), SolveStatus::Solved);
     for (int i = 1; i < 3; ++i)
@@ -116,6 +120,22 @@ TEST(Gcpw_ColorReference, quads_without_samples_take_the_exposure_of_their_image
             EXPECT_NEAR(grids[i].quad(cell)[0].gain, exposures[i][0].gain, 1e-3);
             EXPECT_NEAR(grids[i].quad(cell)[0].bias, exposures[i][0].bias, 1e-3);
         }
+}
+
+TEST(Gcpw_ColorPriors, quads_that_are_compared_have_one_prior_and_the_others_another)
+{
+    const Problem problem = chain(true);
+    const std::vector<ColorComparison> comparisons = compareColors(overlapsOf(problem), roughStates(problem));
+    const std::vector<ColorGrid::Quad> identity(3);
+    const std::vector<ColorPriors> priors =
+        colorPriors(comparisons, {LATTICE, LATTICE, LATTICE}, {{2, 3, 4}, identity}, {{0.2, 0.3, 0.4}, identity});
+    for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
+    {
+        const bool right_half = cell % LATTICE.cols() >= LATTICE.cols() / 2;
+        EXPECT_EQ(priors[0][cell].weight, right_half ? 2 : 0.2) << cell;
+        EXPECT_EQ(priors[2][cell].weight, right_half ? 0.4 : 4) << cell;
+        EXPECT_EQ(priors[1][cell].weight, 3) << cell;
+    }
 }
 
 }} // namespace

@@ -2,7 +2,9 @@
 #include "test_precomp.hpp"
 
 #include "seeded.hpp"
+#include "energy/color_prior_term.hpp"
 #include "energy/color_smoothness_term.hpp"
+#include "recording_equations.hpp"
 
 namespace opencv_test { namespace {
 
@@ -23,9 +25,7 @@ ColorGrid randomGrid(uint64_t seed)
 
 double energyOf(const ColorGrid& grid)
 {
-    ColorSystem system({grid.lattice()}, {false});
-    addColorSmoothness(0, grid.lattice(), WEIGHT, system);
-    return system.regularizationEnergy({grid});
+    return ColorSmoothnessTerm(0, grid.lattice(), WEIGHT).evaluate({{MeshGrid(grid.lattice()), grid}});
 }
 
 TEST(Gcpw_ColorSmoothnessTerm, it_is_equation_colorterm)
@@ -82,10 +82,54 @@ TEST(Gcpw_ColorSmoothnessTerm, a_single_quad_has_nobody_to_agree_with)
 
 TEST(Gcpw_ColorSmoothnessTerm, it_acts_on_the_image_it_is_given)
 {
-    ColorSystem system({LATTICE, LATTICE}, {false, false});
-    addColorSmoothness(1, LATTICE, WEIGHT, system);
-    EXPECT_EQ(system.regularizationEnergy({randomGrid(3), ColorGrid(LATTICE)}), 0);
-    EXPECT_GT(system.regularizationEnergy({ColorGrid(LATTICE), randomGrid(3)}), 0);
+    const ColorSmoothnessTerm term(1, LATTICE, WEIGHT);
+    const MeshGrid mesh(LATTICE);
+    EXPECT_EQ(term.evaluate({{mesh, randomGrid(3)}, {mesh, ColorGrid(LATTICE)}}), 0);
+    EXPECT_GT(term.evaluate({{mesh, ColorGrid(LATTICE)}, {mesh, randomGrid(3)}}), 0);
+}
+
+TEST(Gcpw_ColorSmoothnessTerm, what_it_adds_is_its_energy)
+{
+    ColorSmoothnessTerm term(0, LATTICE, WEIGHT);
+    const ColorGrid grid = randomGrid(4);
+    RecordingEquations equations({LATTICE});
+    const double energy = term.linearize({{MeshGrid(LATTICE), grid}}, equations);
+    double sum = 0;
+    for (const RecordingEquations::Difference& item : equations.differences)
+        for (int c = 0; c < CHANNELS; ++c)
+        {
+            const double gain = grid.quad(item.a.cell)[c].gain - grid.quad(item.b.cell)[c].gain;
+            const double bias = grid.quad(item.a.cell)[c].bias - grid.quad(item.b.cell)[c].bias;
+            sum += item.block.gain_gain * gain * gain + 2 * item.block.gain_bias * gain * bias + item.block.bias_bias * bias * bias;
+        }
+    EXPECT_GT(energy, 0);
+    EXPECT_NEAR(sum, energy, 1e-9 * energy);
+}
+
+TEST(Gcpw_ColorPriorTerm, what_it_adds_is_its_energy)
+{
+    ColorPriors priors(LATTICE.cellCount());
+    for (size_t cell = 0; cell < priors.size(); cell += 2)
+        priors[cell] = {0.1 * static_cast<double>(cell + 1), randomGrid(5).quad(static_cast<int>(cell))};
+    ColorPriorTerm term(0, priors);
+    const ColorGrid grid = randomGrid(6);
+    RecordingEquations equations({LATTICE});
+    const double energy = term.linearize({{MeshGrid(LATTICE), grid}}, equations);
+    EXPECT_EQ(equations.priors.size(), priors.size() / 2);
+    double sum = 0;
+    for (const RecordingEquations::Prior& item : equations.priors)
+        for (int c = 0; c < CHANNELS; ++c)
+        {
+            const double gain = grid.quad(item.quad.cell)[c].gain - item.reference[c].gain;
+            const double bias = grid.quad(item.quad.cell)[c].bias - item.reference[c].bias;
+            sum += item.weight * (gain * gain + bias * bias);
+        }
+    EXPECT_GT(energy, 0);
+    EXPECT_NEAR(sum, energy, 1e-9 * energy);
+    ColorGrid there(LATTICE);
+    for (size_t cell = 0; cell < priors.size(); cell += 2)
+        there.quad(static_cast<int>(cell)) = priors[cell].reference;
+    EXPECT_EQ(term.evaluate({{MeshGrid(LATTICE), there}}), 0);
 }
 
 }} // namespace

@@ -3,7 +3,9 @@
 
 #include "bent_mesh.hpp"
 #include "imaging/pyramid.hpp"
-#include "energy/correlation.hpp"
+#include "energy/photometric_term.hpp"
+#include "overlap/color_comparison.hpp"
+#include "overlap/correlation.hpp"
 #include "recording_equations.hpp"
 #include "scene.hpp"
 
@@ -15,7 +17,7 @@ const Size SIZE(160, 120);
 const Lattice LATTICE(SIZE, 8, 6); // cells of 20 x 20 px
 
 /// The same picture twice, the source's colours changed where asked; at the truth all meshes are at rest.
-PhotometricTerm termOf(double gain, double bias)
+OverlapSamples samplesOf(double gain, double bias)
 {
     Mat target(SIZE, CV_8UC3);
     Mat source(SIZE, CV_8UC3);
@@ -27,8 +29,7 @@ PhotometricTerm termOf(double gain, double bias)
             target.at<Vec3b>(y, x) = Vec3b(color);
             source.at<Vec3b>(y, x) = Vec3b(gain * color + Vec3d::all(bias));
         }
-    return PhotometricTerm(0, 1, buildPyramid(source, Mat(), 1)[0], buildPyramid(target, Mat(), 1)[0], LATTICE,
-                           PhotometricTerm::Options());
+    return OverlapSamples(0, 1, buildPyramid(source, Mat(), 1)[0], buildPyramid(target, Mat(), 1)[0], LATTICE, 3);
 }
 
 std::vector<ImageState> atRest()
@@ -52,15 +53,15 @@ std::vector<ImageState> spoiled(int col, int row)
 
 TEST(Gcpw_Correlation, the_truth_is_nowhere_worse)
 {
-    const PhotometricTerm term = termOf(1, 0);
-    EXPECT_TRUE(worseQuads(term, atRest(), atRest(), 1.05).empty());
-    EXPECT_TRUE(worseQuads(term, atRest(), spoiled(4, 3), 1.05).empty());
+    const OverlapSamples samples = samplesOf(1, 0);
+    EXPECT_TRUE(worseQuads(samples, atRest(), atRest(), 1.05).empty());
+    EXPECT_TRUE(worseQuads(samples, atRest(), spoiled(4, 3), 1.05).empty());
 }
 
 TEST(Gcpw_Correlation, a_spoiled_region_is_worse_and_no_other)
 {
-    const PhotometricTerm term = termOf(1, 0);
-    const std::vector<int> worse = worseQuads(term, spoiled(4, 3), atRest(), 1.05);
+    const OverlapSamples samples = samplesOf(1, 0);
+    const std::vector<int> worse = worseQuads(samples, spoiled(4, 3), atRest(), 1.05);
     // The four quads around the vertex, judged with their neighbours.
     EXPECT_GE(worse.size(), 4u);
     for (const int cell : worse)
@@ -76,29 +77,28 @@ TEST(Gcpw_Correlation, a_spoiled_region_is_worse_and_no_other)
 
 TEST(Gcpw_Correlation, a_change_of_color_is_not_taken_for_a_wrong_place)
 {
-    const PhotometricTerm term = termOf(0.7, 40);
-    EXPECT_TRUE(worseQuads(term, atRest(), spoiled(4, 3), 1.05).empty());
-    EXPECT_GE(worseQuads(term, spoiled(4, 3), atRest(), 1.05).size(), 4u);
+    const OverlapSamples samples = samplesOf(0.7, 40);
+    EXPECT_TRUE(worseQuads(samples, atRest(), spoiled(4, 3), 1.05).empty());
+    EXPECT_GE(worseQuads(samples, spoiled(4, 3), atRest(), 1.05).size(), 4u);
 }
 
 TEST(Gcpw_Correlation, without_an_overlap_nothing_is_worse)
 {
-    const PhotometricTerm term = termOf(1, 0);
+    const OverlapSamples samples = samplesOf(1, 0);
     std::vector<ImageState> away = atRest();
     away[0].mesh = MeshGrid(LATTICE, Point2d(1000, 0));
-    EXPECT_TRUE(worseQuads(term, away, atRest(), 1.05).empty());
-    EXPECT_TRUE(worseQuads(term, atRest(), away, 1.05).empty());
+    EXPECT_TRUE(worseQuads(samples, away, atRest(), 1.05).empty());
+    EXPECT_TRUE(worseQuads(samples, atRest(), away, 1.05).empty());
 }
 
 TEST(Gcpw_PhotometricTerm, frozen_quads_no_longer_move_the_mesh_but_still_say_their_color)
 {
-    PhotometricTerm term = termOf(0.8, 10);
+    const OverlapSamples samples = samplesOf(0.8, 10);
     const std::vector<ImageState> states = spoiled(4, 3);
     RecordingEquations before({LATTICE, LATTICE});
     RecordingEquations after({LATTICE, LATTICE});
-    const double energy = term.linearize(states, false, RobustLoss(), before);
-    term.freeze({11, 12});
-    EXPECT_EQ(term.linearize(states, false, RobustLoss(), after), energy);
+    const double energy = PhotometricTerm(samples, PhotometricTerm::Options()).linearize(states, before);
+    EXPECT_EQ(PhotometricTerm(samples, PhotometricTerm::Options(), {11, 12}).linearize(states, after), energy);
     ASSERT_EQ(before.blocks.size(), after.blocks.size());
     for (size_t i = 0; i < before.blocks.size(); ++i)
     {
@@ -112,14 +112,14 @@ TEST(Gcpw_PhotometricTerm, frozen_quads_no_longer_move_the_mesh_but_still_say_th
     }
 }
 
-TEST(Gcpw_PhotometricTerm, colours_are_compared_where_quads_lie_on_each_other)
+TEST(Gcpw_ColorComparison, colours_are_compared_where_quads_lie_on_each_other)
 {
-    const PhotometricTerm term = termOf(1, 0);
+    const OverlapSamples samples = samplesOf(1, 0);
     std::vector<ImageState> states = atRest();
     states[0].mesh = MeshGrid(LATTICE, Point2d(80, 0));
     std::vector<bool> source(LATTICE.cellCount(), false);
     std::vector<bool> target(LATTICE.cellCount(), false);
-    for (const PhotometricTerm::QuadColors& quads : term.compareColors(states))
+    for (const QuadColors& quads : compareColors(samples, states).quads)
     {
         EXPECT_GT(quads.moments.samples(), 0);
         source[quads.source_cell] = target[quads.target_cell] = true;

@@ -2,7 +2,9 @@
 #include "test_precomp.hpp"
 
 #include "bent_mesh.hpp"
+#include "energy/similarity_term.hpp"
 #include "optimization/fold_constraint.hpp"
+#include "recording_equations.hpp"
 
 namespace opencv_test { namespace {
 
@@ -138,6 +140,32 @@ TEST(Gcpw_FoldConstraint, a_step_that_is_legal_as_a_whole_may_be_illegal_half_wa
     EXPECT_TRUE(guard.violated(mesh, step).empty());
     EXPECT_EQ(guard.violated(mesh, step, 0.5).size(), 12u);
     EXPECT_TRUE(guard.violated(mesh, step, 0.125).empty());
+}
+
+TEST(Gcpw_FoldConstraint, a_damped_quad_resists_a_step_and_has_neither_energy_nor_gradient)
+{
+    const Lattice lattice(Size(80, 60), 4, 3);
+    const MeshGrid rough(lattice);
+    const double weight = 0.5;
+    FoldConstraint constraint(rough, 0.1, 0, weight);
+    RecordingEquations none({lattice});
+    constraint.addTo(none);
+    EXPECT_TRUE(none.empty());
+    RecordingEquations added({lattice});
+    constraint.damp(5, added);
+    constraint.damp(5, added);
+    RecordingEquations all({lattice});
+    constraint.addTo(all);
+    ASSERT_EQ(all.blocks.size(), 1u);
+    EXPECT_EQ(all.blocks[0].quad.cell, 5);
+    EXPECT_EQ(all.energy(), 0);
+    EXPECT_EQ(all.gradient().norm(), 0);
+    EXPECT_LT((all.matrix() - added.matrix()).norm(), 1e-9 * all.matrix().norm()) << "what was added is what it has from now on";
+    EXPECT_NEAR(all.blocks[0].block.mesh_mesh[0][0], 24 * weight * similarityBlock(rough, 5)[0][0], 1e-9);
+    constraint.relax();
+    RecordingEquations relaxed({lattice});
+    constraint.addTo(relaxed);
+    EXPECT_TRUE(relaxed.empty());
 }
 
 }} // namespace

@@ -9,17 +9,16 @@ namespace opencv_test { namespace {
 
 using namespace cv::gcpw;
 
-TEST(Gcpw_ColorTrust, colors_of_images_that_do_not_match_are_still_a_sum_of_squares)
+TEST(Gcpw_FrozenWeights, colors_of_images_that_do_not_match_are_still_a_sum_of_squares)
 {
-    // Trust is taken from such a quad: of both images or of none, or else the colours have no minimum.
+    // Such a quad counts less for both images or for none, or else the colours have no minimum.
     const TermState state = movedState();
     PhotometricTerm::Options options;
-    options.step = 1;
     options.gain_support = 3;
-    const PyramidLevel target = levelOf(TARGET, 1, otherWaves);
-    const PhotometricTerm term(0, 1, levelOf(SOURCE, 1, waves), target, SOURCE, options);
+    options.target_moves = true;
+    const auto term = photometricTerm(levelOf(SOURCE, 1, waves), levelOf(TARGET, 1, otherWaves), options, 1);
     RecordingEquations equations(state.lattices());
-    term.linearize({{state.meshes[0], state.colors[0]}, {state.meshes[1], state.colors[1]}}, true, RobustLoss(), equations);
+    term->linearize(state.state(), equations);
     ASSERT_FALSE(equations.targets.empty());
     const Eigen::Index colors = equations.columns() - equations.meshColumns();
     const Eigen::VectorXd values =
@@ -27,43 +26,37 @@ TEST(Gcpw_ColorTrust, colors_of_images_that_do_not_match_are_still_a_sum_of_squa
     EXPECT_GE(values.minCoeff(), -1e-9 * values.maxCoeff());
 }
 
-/// The energy of the function that a linearisation at `base` fixed, as a function of the state.
-LinearizeTerm pourFixed(const TermState& base, bool target_moves)
-{
-    const auto imagesOf = [](const TermState& state)
-    { return std::vector<ImageState>{{state.meshes[0], state.colors[0]}, {state.meshes[1], state.colors[1]}}; };
-    PhotometricTerm::Options options;
-    options.weight = WEIGHT;
-    options.gain_support = 3;
-    const PhotometricTerm term(0, 1, levelOf(SOURCE, 1, waves), levelOf(TARGET, 1, ramp), SOURCE, options);
-    const RobustLoss loss(0.4);
-    std::vector<FrozenWeights> weights(SOURCE.cellCount());
-    RecordingEquations ignored(base.lattices());
-    term.linearize(imagesOf(base), target_moves, loss, Range(0, SOURCE.cellCount()), ignored, nullptr, weights);
-    const bool doubts = std::any_of(weights.begin(), weights.end(), [](const FrozenWeights& w) { return w.correlation_weight < 0.9; });
-    EXPECT_TRUE(doubts) << "every quad is believed";
-    return [=](const TermState& state, NormalEquations& equations)
-    {
-        const std::vector<ImageState> fixed_at = imagesOf(base);
-        const PhotometricTerm::Fixed before{fixed_at, weights};
-        std::vector<FrozenWeights> next(SOURCE.cellCount());
-        return term.linearize(imagesOf(state), target_moves, loss, Range(0, SOURCE.cellCount()), equations, &before, next).fixed;
-    };
-}
-
-TEST(Gcpw_ColorTrust, what_a_quads_colors_are_trusted_for_is_one_function_until_the_next_linearisation)
+TEST(Gcpw_FrozenWeights, what_a_quads_colors_count_for_is_one_function_until_the_next_linearisation)
 {
     for (const bool target_moves : {false, true})
     {
-        const TermState state = movedState();
-        const LinearizeTerm fixed = pourFixed(state, target_moves);
-        RecordingEquations equations(state.lattices());
-        const double energy = fixed(state, equations);
-        EXPECT_NEAR(equations.energy(), energy, 1e-9 * std::abs(energy)) << "value";
-        expectGradientIsSlope(fixed, state, 0, target_moves ? equations.meshColumns() : SOURCE_MESH, 0.02, 2e-3);
+        const TermState base = movedState();
+        PhotometricTerm::Options options;
+        options.weight = WEIGHT;
+        options.gain_support = 3;
+        options.target_moves = target_moves;
+        options.loss = RobustLoss(0.4);
+        const auto term = photometricTerm(levelOf(SOURCE, 1, waves), levelOf(TARGET, 1, ramp), options);
+        RecordingEquations equations(base.lattices());
+        const double energy = term->linearize(base.state(), equations);
+        EXPECT_NEAR(term->evaluate(base.state()), energy, 1e-9 * std::abs(energy)) << "value";
+        // Recorded once, at the base; elsewhere the frozen function is evaluated.
+        bool first = true;
+        const LinearizeTerm frozen = [&](const TermState& at, NormalEquations& to) -> double
+        {
+            if (first)
+                for (const RecordingEquations::Block& item : equations.blocks)
+                    to.addPhotometric(item.quad, item.block);
+            for (size_t k = 0; first && k < equations.targets.size(); ++k)
+                to.addCross(equations.targets[k].a, equations.targets[k].b, equations.targets[k].block);
+            first = false;
+            return term->evaluate(at.state());
+        };
+        expectGradientIsSlope(frozen, base, 0, target_moves ? equations.meshColumns() : SOURCE_MESH, 0.02, 2e-3);
+        first = true;
         const int first_color = equations.colorColumn({0, 0}, 0);
         const int last_color = target_moves ? equations.columns() : first_color + 6 * SOURCE.cellCount();
-        expectGradientIsSlope(fixed, state, first_color, last_color, 1e-3, 1e-3);
+        expectGradientIsSlope(frozen, base, first_color, last_color, 1e-3, 1e-3);
     }
 }
 

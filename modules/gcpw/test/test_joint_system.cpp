@@ -83,7 +83,7 @@ private:
     RecordingEquations record_;
 };
 
-struct State
+struct Displaced
 {
     std::vector<ColorGrid> colors{ColorGrid(LATTICE)};
     std::vector<Point2d> mesh = std::vector<Point2d>(LATTICE.vertexCount());
@@ -104,8 +104,7 @@ TEST(Gcpw_JointSystem, repeated_steps_reach_the_minimum_of_all_unknowns_together
 {
     const Quadratic problem(1);
     JointSystem system({LATTICE}, {false}, {false});
-    addColorSmoothness(0, LATTICE, SMOOTHNESS, system.colors());
-    State state;
+    Displaced state;
     const Eigen::VectorXd best = problem.minimum();
     double energy = problem.energy(state.stacked());
     const double lowest = problem.energy(best);
@@ -114,6 +113,7 @@ TEST(Gcpw_JointSystem, repeated_steps_reach_the_minimum_of_all_unknowns_together
     {
         system.setZero();
         system.addDamping(DAMPING);
+        ColorSmoothnessTerm(0, LATTICE, SMOOTHNESS).addTo(system);
         problem.accumulate(state.stacked(), system);
         MeshStep step;
         ASSERT_EQ(system.solveMeshes(state.colors, step), SolveStatus::Solved);
@@ -136,8 +136,8 @@ TEST(Gcpw_JointSystem, colors_alone_are_best_while_the_mesh_stands_still)
 {
     const Quadratic problem(2);
     JointSystem system({LATTICE}, {false}, {false});
-    addColorSmoothness(0, LATTICE, SMOOTHNESS, system.colors());
-    State state;
+    ColorSmoothnessTerm(0, LATTICE, SMOOTHNESS).addTo(system);
+    Displaced state;
     problem.accumulate(state.stacked(), system);
     ASSERT_EQ(system.solveColors(state.colors), SolveStatus::Solved);
     const Eigen::VectorXd x = state.stacked();
@@ -157,7 +157,7 @@ TEST(Gcpw_JointSystem, held_colors_leave_the_mesh_step_of_the_mesh_alone)
     const Quadratic problem(4);
     JointSystem joint({LATTICE}, {false}, {true});
     MeshSystem meshes({LATTICE}, {false});
-    State state;
+    Displaced state;
     joint.addDamping(DAMPING);
     meshes.addDamping(DAMPING);
     problem.accumulate(state.stacked(), joint);
@@ -175,10 +175,10 @@ TEST(Gcpw_JointSystem, a_second_solve_after_further_blocks_eliminates_once)
     RNG rng = seeded(6);
     const PhotometricBlock more = randomPhotometricBlock(rng, 5);
     MeshStep steps[2];
-    const State state;
+    const Displaced state;
     for (int i = 0; i < 2; ++i)
     {
-        addColorSmoothness(0, LATTICE, SMOOTHNESS, systems[i].colors());
+        ColorSmoothnessTerm(0, LATTICE, SMOOTHNESS).addTo(systems[i]);
         systems[i].addDamping(DAMPING);
         problem.accumulate(state.stacked(), systems[i]);
         if (i == 1)
@@ -192,23 +192,20 @@ TEST(Gcpw_JointSystem, a_second_solve_after_further_blocks_eliminates_once)
         EXPECT_LT(cv::norm(steps[0][0][v] - steps[1][0][v]), 1e-9);
 }
 
-TEST(Gcpw_JointSystem, set_to_zero_it_forgets_samples_and_keeps_the_smoothness)
+TEST(Gcpw_JointSystem, set_to_zero_it_forgets_everything)
 {
     const Quadratic problem(7);
     JointSystem system({LATTICE}, {false}, {false});
-    addColorSmoothness(0, LATTICE, SMOOTHNESS, system.colors());
-    State state;
-    state.colors[0].quad(4)[0] = {1.3, 0.1};
-    const double before = system.colors().regularizationEnergy(state.colors);
-    EXPECT_GT(before, 0.1);
-    problem.accumulate(State().stacked(), system);
+    ColorSmoothnessTerm(0, LATTICE, SMOOTHNESS).addTo(system);
+    Displaced state;
+    problem.accumulate(Displaced().stacked(), system);
     system.setZero();
-    EXPECT_EQ(system.colors().regularizationEnergy(state.colors), before);
     system.addDamping(1);
     MeshStep step;
     ASSERT_EQ(system.solveMeshes(state.colors, step), SolveStatus::Solved);
     for (const Point2d& v : step[0])
         EXPECT_EQ(v, Point2d(0, 0));
+    EXPECT_EQ(system.solveColors(state.colors), SolveStatus::NotPositiveDefinite) << "neither samples nor smoothness are left";
 }
 
 }} // namespace

@@ -44,9 +44,7 @@ std::vector<LineMatch> matchesOf(const TermState& state, int count, double error
 
 LinearizeTerm accumulateLines(const std::vector<LineMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
 {
-    const LineTerm term(0, 1, MOVING, PARTNER, matches, STEP, weight);
-    return [term, loss](const TermState& state, NormalEquations& equations)
-    { return term.linearize(state.meshes[0], state.meshes[1], loss, equations); };
+    return linearizing(std::make_shared<LineTerm>(0, 1, MOVING, PARTNER, matches, STEP, weight, loss));
 }
 
 TEST(Gcpw_LineTerm, it_is_zero_at_the_truth)
@@ -167,7 +165,7 @@ TEST(Gcpw_LineTerm, distances_are_root_mean_squares_in_the_order_given)
     const TermState state = affineState();
     const std::vector<LineMatch> matches = matchesOf(state, 8, 6, 8);
     const std::vector<double> distances =
-        LineTerm(0, 1, MOVING, PARTNER, matches, STEP, 1).distances(state.meshes[0], state.meshes[1]);
+        LineTerm(0, 1, MOVING, PARTNER, matches, STEP, 1).distances(state.state());
     ASSERT_EQ(distances.size(), matches.size());
     for (size_t i = 0; i < matches.size(); ++i)
     {
@@ -207,7 +205,7 @@ TEST(Gcpw_LineTerm, a_target_whose_ends_a_mesh_brings_together_gives_no_rows)
     RecordingEquations equations(state.lattices());
     EXPECT_EQ(accumulateLines({match}, 1)(state, equations), 0);
     EXPECT_TRUE(equations.empty());
-    EXPECT_EQ(LineTerm(0, 1, MOVING, PARTNER, {match}, STEP, 1).distances(state.meshes[0], state.meshes[1])[0],
+    EXPECT_EQ(LineTerm(0, 1, MOVING, PARTNER, {match}, STEP, 1).distances(state.state())[0],
               std::numeric_limits<double>::infinity());
 }
 
@@ -237,9 +235,9 @@ TEST(Gcpw_LineTerm, a_tiny_step_does_not_flood_memory)
     LineMatch match;
     match.a = {Point2d(10, 10), Point2d(40, 10)};
     match.b = {Point2d(20, 20), Point2d(60, 20)};
-    const LineTerm term(0, 1, MOVING, PARTNER, {match}, 1e-300, 1);
+    LineTerm term(0, 1, MOVING, PARTNER, {match}, 1e-300, 1);
     RecordingEquations equations(state.lattices());
-    EXPECT_GT(term.linearize(state.meshes[0], state.meshes[1], RobustLoss(), equations), 0);
+    EXPECT_GT(term.linearize(state.state(), equations), 0);
     EXPECT_EQ(equations.rows.size(), 10001u);
 }
 

@@ -45,6 +45,16 @@ public:
         one_.addCross(a, b, block);
         other_.addCross(a, b, block);
     }
+    void addColorDifference(QuadId a, QuadId b, const ColorBlock& block) override
+    {
+        one_.addColorDifference(a, b, block);
+        other_.addColorDifference(a, b, block);
+    }
+    void addColorPrior(QuadId quad, double weight, const ColorGrid::Quad& reference) override
+    {
+        one_.addColorPrior(quad, weight, reference);
+        other_.addColorPrior(quad, weight, reference);
+    }
 
 private:
     NormalEquations& one_;

@@ -11,15 +11,10 @@ LinearizeTerm accumulatePixels(const PyramidLevel& source, const PyramidLevel& t
                     const RobustLoss& loss = RobustLoss(), int step = 3, bool target_moves = false)
 {
     PhotometricTerm::Options options;
-    options.step = step;
     options.weight = WEIGHT;
-    options.contrast_floor = contrast_floor;
-    const PhotometricTerm term(0, 1, source, target, SOURCE, options);
-    return [term, loss, target_moves](const TermState& state, NormalEquations& equations)
-    {
-        const std::vector<ImageState> images = {{state.meshes[0], state.colors[0]}, {state.meshes[1], state.colors[1]}};
-        return term.linearize(images, target_moves, loss, equations);
-        };
+    options.loss = loss;
+    options.target_moves = target_moves;
+    return linearizing(photometricTerm(source, target, options, step, contrast_floor));
 }
 
 /// The same where the target is free to move.
@@ -294,14 +289,32 @@ TEST(Gcpw_PhotometricTerm, a_contrast_floor_weighs_samples_by_their_local_varian
                            SOURCE_MESH, 1.0, 1e-5);
 }
 
-TEST(Gcpw_PhotometricTerm, no_step_and_levels_of_unequal_scale_are_refused)
+TEST(Gcpw_PhotometricTerm, its_parts_are_the_whole)
+{
+    const TermState state = movedState();
+    PhotometricTerm::Options options;
+    options.weight = WEIGHT;
+    options.gain_support = 3;
+    options.target_moves = true;
+    const auto term = photometricTerm(levelOf(SOURCE, 1, waves), levelOf(TARGET, 1, otherWaves), options);
+    RecordingEquations whole(state.lattices());
+    RecordingEquations parts(state.lattices());
+    const double energy = linearizing(term)(state, whole);
+    EXPECT_NEAR(linearizingParts(term)(state, parts), energy, 1e-9 * std::abs(energy));
+    EXPECT_EQ(whole.gradient(), parts.gradient());
+    EXPECT_EQ(whole.matrix(), parts.matrix());
+    const State moved = bentState().state();
+    double sum = 0;
+    for (int part = 0; part < term->parts(); ++part)
+        sum += term->evaluatePart(moved, part);
+    EXPECT_NEAR(sum, term->evaluate(moved), 1e-9 * std::abs(sum));
+}
+
+TEST(Gcpw_OverlapSamples, no_step_and_levels_of_unequal_scale_are_refused)
 {
     const PyramidLevel level = levelOf(SOURCE, 1, waves);
-    PhotometricTerm::Options options;
-    options.step = 0;
-    EXPECT_THROW(PhotometricTerm(0, 1, level, level, SOURCE, options), cv::Exception);
-    EXPECT_THROW(PhotometricTerm(0, 1, level, levelOf(TARGET, 2, waves), SOURCE, PhotometricTerm::Options()),
-                 cv::Exception);
+    EXPECT_THROW(OverlapSamples(0, 1, level, level, SOURCE, 0), cv::Exception);
+    EXPECT_THROW(OverlapSamples(0, 1, level, levelOf(TARGET, 2, waves), SOURCE, 3), cv::Exception);
 }
 
 }} // namespace

@@ -41,9 +41,7 @@ std::vector<PointMatch> matchesOf(const TermState& state, int count, double erro
 
 LinearizeTerm accumulatePoints(const std::vector<PointMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
 {
-    const PointTerm term(0, 1, MOVING, PARTNER, matches, weight);
-    return [term, loss](const TermState& state, NormalEquations& equations)
-    { return term.linearize(state.meshes[0], state.meshes[1], loss, equations); };
+    return linearizing(std::make_shared<PointTerm>(0, 1, MOVING, PARTNER, matches, weight, loss));
 }
 
 TEST(Gcpw_PointTerm, it_is_zero_at_the_truth)
@@ -116,7 +114,7 @@ TEST(Gcpw_PointTerm, distances_are_those_on_the_canvas_in_the_order_given)
     const TermState state = bentState();
     const std::vector<PointMatch> matches = matchesOf(state, 10, 5, 9);
     const std::vector<double> distances =
-        PointTerm(0, 1, MOVING, PARTNER, matches, 1).distances(state.meshes[0], state.meshes[1]);
+        PointTerm(0, 1, MOVING, PARTNER, matches, 1).distances(state.state());
     ASSERT_EQ(distances.size(), matches.size());
     for (size_t i = 0; i < matches.size(); ++i)
         EXPECT_NEAR(distances[i], cv::norm(state.meshes[0].warp(matches[i].a) - state.meshes[1].warp(matches[i].b)),

@@ -23,13 +23,11 @@ std::vector<Mat> estimateColors(const std::vector<Point>& corners, const std::ve
         states[i].color = ColorGrid(lattice);
         levels.push_back(buildPyramid(toPhotograph(images[i], format("%zu-th", i).c_str()).image, masks[i], 1).front());
     }
-    PhotometricTerm::Options options;
-    options.step = params.sampleStep;
-    std::vector<PhotometricTerm> terms;
+    std::vector<OverlapSamples> overlaps;
     for (const Overlap& overlap : findOverlaps(corners, masks))
-        terms.emplace_back(overlap.a, overlap.b, levels[overlap.a], levels[overlap.b], states[overlap.a].mesh.lattice(), options);
+        overlaps.emplace_back(overlap.a, overlap.b, levels[overlap.a], levels[overlap.b], states[overlap.a].mesh.lattice(), params.sampleStep);
     std::vector<Mat> colors;
-    for (const ColorGrid& grid : balancedColors(terms, states, params))
+    for (const ColorGrid& grid : balancedColors(overlaps, states, params))
         colors.push_back(grid.toMat());
     return colors;
 }

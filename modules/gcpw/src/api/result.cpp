@@ -59,7 +59,7 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
             Report& report)
 {
     const std::vector<ImageState> rough = roughStates(problem);
-    Optimizer optimizer(problem, termsOf(params.method), params);
+    CoarseToFine optimizer(problem, params);
     switch (optimizer.run(states, report.levels, progress))
     {
     case OptimizeStatus::Done:
@@ -72,11 +72,11 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
         report.message = "the refinement lines the images up no better than the rough alignment, which was kept";
         break;
     case OptimizeStatus::PixelsSingular:
-        report.message = "a level with pixels had no answer; its last good state was kept";
+        report.message = "the normal equations of a level with pixels are singular; its last good state was kept";
         break;
     case OptimizeStatus::MatchesSingular:
         report.status = Status::ROUGH;
-        report.message = "the matches leave the meshes free; the rough alignment was kept";
+        report.message = "the normal equations of the matches are singular; the rough alignment was kept";
         states = rough;
         break;
     case OptimizeStatus::Cancelled:

@@ -5,7 +5,7 @@
 #include "model/color_grid.hpp"
 #include "rendering/inverse_map.hpp"
 #include "opencv2/gcpw/alignment.hpp"
-#include "optimization/optimizer.hpp"
+#include "optimization/coarse_to_fine.hpp"
 
 namespace cv
 {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <opencv2/core/utils/logger.hpp>
-#include "energy/color_comparison.hpp"
-#include "energy/color_prior.hpp"
+#include "color/color_priors.hpp"
 #include "color/exposures.hpp"
 #include "energy/color_smoothness_term.hpp"
+#include "solver/color_system.hpp"
 
 namespace cv
 {
@@ -54,7 +54,7 @@ void accumulate(const std::vector<ColorComparison>& comparisons, double weight, 
 {
     system.clearSamples();
     for (const ColorComparison& comparison : comparisons)
-        for (const PhotometricTerm::QuadColors& pair : comparison.quads)
+        for (const QuadColors& pair : comparison.quads)
         {
             const QuadId source{comparison.source_image, pair.source_cell};
             const QuadId target{comparison.target_image, pair.target_cell};
@@ -70,31 +70,34 @@ void accumulate(const std::vector<ColorComparison>& comparisons, double weight, 
 
 } // namespace
 
-std::vector<ColorGrid> balancedColors(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& states,
-                                      const Params& params)
+std::vector<ColorGrid> balancedColors(const std::vector<OverlapSamples>& overlaps, const State& state, const Params& params)
 {
-    const size_t count = states.size();
+    const size_t count = state.size();
     std::vector<Lattice> lattices;
     std::vector<ColorGrid> colors;
-    for (const ImageState& state : states)
+    for (const ImageState& image : state)
     {
-        lattices.push_back(state.mesh.lattice());
-        colors.emplace_back(state.mesh.lattice());
+        lattices.push_back(image.mesh.lattice());
+        colors.emplace_back(image.mesh.lattice());
     }
-    if (terms.empty())
+    if (overlaps.empty())
         return colors;
     std::vector<bool> fixed(count, false);
     if (params.referenceImage >= 0 && params.referenceImage < static_cast<int>(count))
         fixed[params.referenceImage] = true;
-    const std::vector<ColorComparison> comparisons = compareColors(terms, states);
+    const std::vector<ColorComparison> comparisons = compareColors(overlaps, state);
     const std::vector<ColorGrid::Quad> exposures = estimateExposures(comparisons, fixed);
     ColorSystem system(lattices, fixed);
-    for (size_t i = 0; i < count; ++i)
-        addColorSmoothness(static_cast<int>(i), lattices[i], params.colorSmoothnessWeight, system);
     std::vector<double> prior_weights;
     for (const Lattice& lattice : lattices)
         prior_weights.push_back(params.balanceWeight * lattice.cellSize().area() / (params.sampleStep * params.sampleStep));
-    setColorPriors(comparisons, lattices, {prior_weights, exposures}, {std::vector<double>(count, params.colorRestWeight), exposures}, system);
+    const std::vector<ColorPriors> priors = colorPriors(comparisons, lattices, {prior_weights, exposures},
+                                                        {std::vector<double>(count, params.colorRestWeight), exposures});
+    for (size_t i = 0; i < count; ++i)
+    {
+        ColorSmoothnessTerm(static_cast<int>(i), lattices[i], params.colorSmoothnessWeight).addTo(system);
+        ColorPriorTerm(static_cast<int>(i), priors[i]).addTo(system);
+    }
     const auto for_each_free = [&](const std::function<void(size_t image, ColorGrid::Quad& quad)>& change)
     {
         for (size_t i = 0; i < count; ++i)

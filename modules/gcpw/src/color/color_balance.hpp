@@ -4,7 +4,7 @@
 
 #include <vector>
 #include "opencv2/gcpw/params.hpp"
-#include "energy/photometric_term.hpp"
+#include "overlap/overlap_samples.hpp"
 
 namespace cv
 {
@@ -23,10 +23,9 @@ means m and standard deviations d,
 
 with n_0 the samples of a whole quad (correlationWeight(), estimateExposures()). No image is privileged, mean log gain is 0 and mean
 bias 0, unless Params::referenceImage names one: that keeps its colours.
-@param terms whose samples are compared  @param states whose colours are ignored
-@return one grid an image; the identity without terms, the exposures, or the last pass that had one, where the system has no answer */
-std::vector<ColorGrid> balancedColors(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& states,
-                                      const Params& params);
+@param overlaps whose samples are compared  @param state whose colours are ignored
+@return one grid an image; the identity without overlaps, the exposures, or the last pass that had one, where the system has no answer */
+std::vector<ColorGrid> balancedColors(const std::vector<OverlapSamples>& overlaps, const State& state, const Params& params);
 
 } // namespace gcpw
 } // namespace cv

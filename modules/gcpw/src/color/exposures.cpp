@@ -78,7 +78,7 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
 {
     std::vector<ColorMoments> moments(comparisons.size());
     for (size_t k = 0; k < comparisons.size(); ++k)
-        for (const PhotometricTerm::QuadColors& quads : comparisons[k].quads)
+        for (const QuadColors& quads : comparisons[k].quads)
             moments[k].add(quads.moments, correlationWeight(quads.moments));
     std::vector<ColorGrid::Quad> exposures(fixed.size());
     for (int c = 0; c < CHANNELS; ++c)

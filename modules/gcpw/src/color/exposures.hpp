@@ -3,7 +3,7 @@
 #define OPENCV_GCPW_EXPOSURES_HPP
 
 #include <vector>
-#include "energy/color_comparison.hpp"
+#include "overlap/color_comparison.hpp"
 
 namespace cv
 {

@@ -6,12 +6,24 @@ namespace cv
 namespace gcpw
 {
 
-AnchorTerm::AnchorTerm(int image, const MeshGrid& anchor, const std::vector<int>& cells, double weight)
-    : image_(image), anchor_(anchor), cells_(cells), weight_(weight)
+AnchorTerm::AnchorTerm(int image, const MeshGrid& anchor, const std::vector<int>& cells, double weight, const char* name)
+    : image_(image), anchor_(anchor), cells_(cells), weight_(weight), name_(name)
 {
 }
 
-double AnchorTerm::linearize(const MeshGrid& mesh, NormalEquations& equations) const
+double AnchorTerm::evaluate(const State& state) const
+{
+    double energy = 0;
+    for (int cell : cells_)
+        for (int k = 0; k < 4; ++k)
+        {
+            const Point2d r = state[image_].mesh.vertex(cell, k) - anchor_.vertex(cell, k);
+            energy += weight_ * r.dot(r);
+        }
+    return energy;
+}
+
+double AnchorTerm::linearize(const State& state, NormalEquations& equations)
 {
     double energy = 0;
     for (int cell : cells_)
@@ -21,7 +33,7 @@ double AnchorTerm::linearize(const MeshGrid& mesh, NormalEquations& equations) c
         double sum = 0;
         for (int k = 0; k < 4; ++k)
         {
-            const Point2d r = mesh.vertex(cell, k) - anchor_.vertex(cell, k);
+            const Point2d r = state[image_].mesh.vertex(cell, k) - anchor_.vertex(cell, k);
             block[2 * k][2 * k] = block[2 * k + 1][2 * k + 1] = weight_;
             gradient[2 * k] = weight_ * r.x;
             gradient[2 * k + 1] = weight_ * r.y;

@@ -3,8 +3,7 @@
 #define OPENCV_GCPW_ANCHOR_TERM_HPP
 
 #include <vector>
-#include "solver/normal_equations.hpp"
-#include "model/mesh_grid.hpp"
+#include "energy/energy_term.hpp"
 
 namespace cv
 {
@@ -17,19 +16,22 @@ namespace gcpw
 
 A_k are the corners of the quad in the other mesh. Not in the paper: it serves the regions where pixels made the
 alignment worse. Residuals: 8 per quad, canvas px. */
-class AnchorTerm
+class AnchorTerm : public EnergyTerm
 {
 public:
-    AnchorTerm(int image, const MeshGrid& anchor, const std::vector<int>& cells, double weight);
+    /// @param name of the energy in reports: what the quads are held for
+    AnchorTerm(int image, const MeshGrid& anchor, const std::vector<int>& cells, double weight, const char* name = "anchors");
 
-    int image() const { return image_; }
-    double linearize(const MeshGrid& mesh, NormalEquations& equations) const;
+    const char* name() const override { return name_; }
+    double evaluate(const State& state) const override;
+    double linearize(const State& state, NormalEquations& equations) override;
 
 private:
     int image_;
     MeshGrid anchor_;
     std::vector<int> cells_;
     double weight_;
+    const char* name_;
 };
 
 } // namespace gcpw

@@ -32,13 +32,14 @@ bool isUsable(const LineMatch& match)
 } // namespace
 
 LineTerm::LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
-                   const std::vector<LineMatch>& matches, double step_px, double weight, Point2d shift_b)
-    : image_a_(image_a), image_b_(image_b), shift_b_(shift_b)
+                   const std::vector<LineMatch>& matches, double step_px, double weight, const RobustLoss& loss,
+                   Point2d shift_b)
+    : image_a_(image_a), image_b_(image_b), loss_(loss), shift_b_(shift_b)
 {
     CV_CheckGT(step_px, 0.0, "Line samples need a positive step");
     for (const LineMatch& match : matches)
     {
-        Partner target;
+        Target target;
         if (!isUsable(match))
         {
             targets_.push_back(target); // keeps its place in the order, without samples
@@ -59,31 +60,53 @@ LineTerm::LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lat
     }
 }
 
-Segment LineTerm::targetNow(const Partner& target, const MeshGrid& b) const
+bool LineTerm::lineNow(const Target& target, const State& state, Segment& segment) const
 {
-    return {b.warp(target.start_b) + shift_b_, b.warp(target.end_b) + shift_b_};
+    if (target.samples.empty())
+        return false;
+    const MeshGrid& b = state[image_b_].mesh;
+    segment = {b.warp(target.start_b) + shift_b_, b.warp(target.end_b) + shift_b_};
+    return segment.direction().dot(segment.direction()) != 0; // what is not a number goes on, for the solver to refuse
 }
 
-double LineTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, NormalEquations& equations) const
+double LineTerm::evaluate(const State& state) const
 {
     double energy = 0;
-    for (const Partner& target : targets_)
+    Segment now;
+    for (const Target& target : targets_)
     {
-        if (target.samples.empty())
-            continue;
-        const Segment now = targetNow(target, b);
-        const double squared_length = now.direction().dot(now.direction());
-        if (squared_length == 0) // what is not a number goes on, for the solver to refuse
+        if (!lineNow(target, state, now))
             continue;
         const Line line = now.line();
         for (const CellPoint& sample : target.samples)
         {
+            const double r = line.distance(state[image_a_].mesh.warp(sample));
+            energy += target.weight * loss_.value(r * r);
+        }
+    }
+    return energy;
+}
+
+double LineTerm::linearize(const State& state, NormalEquations& equations)
+{
+    const MeshGrid& a = state[image_a_].mesh;
+    const Lattice& lattice_b = state[image_b_].mesh.lattice();
+    double energy = 0;
+    Segment now;
+    for (const Target& target : targets_)
+    {
+        if (!lineNow(target, state, now))
+            continue;
+        const Line line = now.line();
+        const double squared_length = now.direction().dot(now.direction());
+        for (const CellPoint& sample : target.samples)
+        {
             const Point2d canvas = a.warp(sample);
             const double r = line.distance(canvas);
-            energy += target.weight * loss.value(r * r);
+            energy += target.weight * loss_.value(r * r);
             // The point of b beside the sample, kept on the segment: beyond its ends b is not known.
             const double t = (canvas - now.start).dot(now.direction()) / squared_length;
-            const CellPoint foot = b.lattice().locate(target.reference_b.at(t > 0 ? std::min(t, 1.0) : 0.0));
+            const CellPoint foot = lattice_b.locate(target.reference_b.at(t > 0 ? std::min(t, 1.0) : 0.0));
             QuadRow row_a{};
             QuadRow row_b{};
             for (int k = 0; k < 4; ++k)
@@ -94,24 +117,19 @@ double LineTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLos
                 row_b[2 * k + 1] = -foot.weight[k] * line.normal.y;
             }
             equations.addRow({image_a_, sample.cell}, row_a, {image_b_, foot.cell}, row_b, r,
-                        target.weight * loss.weight(r * r));
+                             target.weight * loss_.weight(r * r));
         }
     }
     return energy;
 }
 
-std::vector<double> LineTerm::distances(const MeshGrid& a, const MeshGrid& b) const
+std::vector<double> LineTerm::distances(const State& state) const
 {
     std::vector<double> result;
-    for (const Partner& target : targets_)
+    Segment now;
+    for (const Target& target : targets_)
     {
-        if (target.samples.empty())
-        {
-            result.push_back(std::numeric_limits<double>::infinity());
-            continue;
-        }
-        const Segment now = targetNow(target, b);
-        if (now.direction().dot(now.direction()) == 0)
+        if (!lineNow(target, state, now))
         {
             result.push_back(std::numeric_limits<double>::infinity());
             continue;
@@ -119,8 +137,11 @@ std::vector<double> LineTerm::distances(const MeshGrid& a, const MeshGrid& b) co
         const Line line = now.line();
         double sum = 0;
         for (const CellPoint& sample : target.samples)
-            sum += line.distance(a.warp(sample)) * line.distance(a.warp(sample));
-        result.push_back(std::sqrt(sum / target.samples.size()));
+        {
+            const double r = line.distance(state[image_a_].mesh.warp(sample));
+            sum += r * r;
+        }
+        result.push_back(std::sqrt(sum / static_cast<double>(target.samples.size())));
     }
     return result;
 }

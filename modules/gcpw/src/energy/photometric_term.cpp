@@ -2,8 +2,6 @@
 #include "energy/photometric_term.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <opencv2/imgproc.hpp>
 
 namespace cv
 {
@@ -13,249 +11,172 @@ namespace gcpw
 namespace
 {
 
-const float INSIDE = 0.98F;            ///< least mask value of a source pixel that is sampled
-const int CONTRAST_WINDOW = 5;         ///< px, that of the scores
-const double TYPICAL_VARIANCE = 0.01;  ///< of Y at an edge: there w_q is about one, so lambda_1 keeps its meaning
-const int MIN_WINDOW_SAMPLES = 6;      ///< in a quarter of a quad, to correlate
+const int PART_ROWS = 8; ///< rows of quads that one thread works on at a time; sets the order of the sums
 
-/// 0.01 / (local variance of Y + floor^2) for every pixel of a level.
-Mat importanceOf(const PyramidLevel& level, double floor)
-{
-    Mat luma;
-    extractChannel(level.pixels, luma, 0);
-    Mat mean;
-    Mat squares;
-    const Size window(CONTRAST_WINDOW, CONTRAST_WINDOW);
-    blur(luma, mean, window);
-    blur(luma.mul(luma), squares, window);
-    const Mat variance = max(squares - mean.mul(mean), 0.0);
-    return TYPICAL_VARIANCE / (variance + floor * floor);
-}
-
-} // namespace
-
-PhotometricTerm::PhotometricTerm(int source_image, int target_image, const PyramidLevel& source,
-                                 const PyramidLevel& target, const Lattice& lattice, const Options& options,
-                                 Point2d target_shift)
-    : source_image_(source_image), target_image_(target_image), target_(target), lattice_(lattice), options_(options),
-      target_shift_(target_shift), first_(lattice.cellCount() + 1, 0), frozen_(lattice.cellCount(), false)
-{
-    CV_CheckGT(options.step, 0, "Photometric samples need a positive step");
-    CV_Assert(source.scale == target.scale);
-    struct Found
-    {
-        CellPoint point;
-        Point pixel;
-    };
-    std::vector<Found> found;
-    for (int y = options.step / 2; y < source.pixels.rows; y += options.step)
-        for (int x = options.step / 2; x < source.pixels.cols; x += options.step)
-        {
-            const Point2d reference(x * source.scale, y * source.scale);
-            if (source.at(x, y)[3] >= INSIDE && lattice.contains(reference))
-                found.push_back({lattice.locate(reference), Point(x, y)});
-        }
-    // Counting sort by cell: the samples of a quad lie together and keep their order.
-    for (const Found& f : found)
-        ++first_[f.point.cell + 1];
-    for (int cell = 0; cell < lattice.cellCount(); ++cell)
-        first_[cell + 1] += first_[cell];
-    const Mat importance = options.contrast_floor > 0 ? importanceOf(source, options.contrast_floor) : Mat();
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    samples_.resize(found.size());
-    for (const Found& f : found)
-    {
-        Sample& sample = samples_[next[f.point.cell]++];
-        const float* pixel = source.at(f.pixel.x, f.pixel.y);
-        for (int k = 0; k < 4; ++k)
-            sample.weight[k] = static_cast<float>(f.point.weight[k]);
-        std::copy(pixel, pixel + 3, sample.value);
-        sample.importance = importance.empty() ? 1.0F : importance.at<float>(f.pixel);
-    }
-}
-
-template <typename Visit>
-void PhotometricTerm::forEachInside(const std::vector<ImageState>& images, int cell, TargetLookup& target, Visit visit) const
-{
-    const MeshGrid& mesh = images[source_image_].mesh;
-    const ColorGrid::Quad& mine = images[source_image_].color.quad(cell);
-    const Point2d corner[4] = {mesh.vertex(cell, 0), mesh.vertex(cell, 1), mesh.vertex(cell, 2), mesh.vertex(cell, 3)};
-    if (!target.near(corner))
-        return;
-    PixelSample pixel;
-    double residual[3];
-    for (int i = first_[cell]; i < first_[cell + 1]; ++i)
-    {
-        const Sample& sample = samples_[i];
-        Point2d canvas;
-        for (int k = 0; k < 4; ++k)
-        {
-            canvas.x += sample.weight[k] * corner[k].x;
-            canvas.y += sample.weight[k] * corner[k].y;
-        }
-        if (!target.find(canvas) || !samplePixel(target_, target.reference(), pixel))
-            continue;
-        const ColorGrid::Quad& other = target.color();
-        double squared = 0;
-        for (int c = 0; c < 3; ++c)
-        {
-            residual[c] = mine[c].gain * sample.value[c] + mine[c].bias - other[c].gain * pixel.value[c] - other[c].bias;
-            squared += residual[c] * residual[c];
-        }
-        visit(sample, pixel, residual, squared * sample.importance);
-    }
-}
-
-namespace
-{
-
-/// Squared residual of a sample as other colours would have it.
-double squaredResidual(const float* value, const PixelSample& pixel, const ColorGrid::Quad& mine, const ColorGrid::Quad& other)
+/// Residual of a sample in every channel, as the colours of its quads have it; returns the sum of squares.
+double residualOf(const float* source, const float* target, const ColorGrid::Quad& mine, const ColorGrid::Quad& theirs,
+                  double* residual)
 {
     double squared = 0;
     for (int c = 0; c < CHANNELS; ++c)
     {
-        const double residual = mine[c].gain * value[c] + mine[c].bias - other[c].gain * pixel.value[c] - other[c].bias;
-        squared += residual * residual;
+        residual[c] = mine[c].gain * source[c] + mine[c].bias - theirs[c].gain * target[c] - theirs[c].bias;
+        squared += residual[c] * residual[c];
     }
     return squared;
 }
 
 } // namespace
 
-PhotometricTerm::Energy PhotometricTerm::linearize(const std::vector<ImageState>& images, bool target_moves,
-                                                   const RobustLoss& loss, Range cells, NormalEquations& equations,
-                                                   const Fixed* before, std::vector<FrozenWeights>& weights) const
+PhotometricTerm::PhotometricTerm(const OverlapSamples& samples, const Options& options, const std::vector<int>& frozen_cells)
+    : samples_(samples), options_(options), mesh_frozen_(samples.lattice().cellCount(), false),
+      weights_(samples.lattice().cellCount())
 {
-    Energy total;
-    TargetLookup target(images[target_image_], target_shift_, target_moves);
-    std::vector<std::pair<int, CrossSums>> other_quads; // target cell, sums; a handful at most
+    for (int cell : frozen_cells)
+        mesh_frozen_[cell] = true;
+}
+
+int PhotometricTerm::parts() const
+{
+    return (samples_.lattice().rows() + PART_ROWS - 1) / PART_ROWS;
+}
+
+Range PhotometricTerm::cellsOf(int part) const
+{
+    const Lattice& lattice = samples_.lattice();
+    return {part * PART_ROWS * lattice.cols(), std::min((part + 1) * PART_ROWS, lattice.rows()) * lattice.cols()};
+}
+
+double PhotometricTerm::evaluate(const State& state) const
+{
+    return evaluateCells(state, Range(0, samples_.lattice().cellCount()));
+}
+
+double PhotometricTerm::evaluatePart(const State& state, int part) const
+{
+    return evaluateCells(state, cellsOf(part));
+}
+
+double PhotometricTerm::linearize(const State& state, NormalEquations& equations)
+{
+    target_color_ = state[samples_.targetImage()].color;
+    return linearizeCells(state, Range(0, samples_.lattice().cellCount()), equations);
+}
+
+double PhotometricTerm::linearizePart(const State& state, int part, NormalEquations& equations)
+{
+    if (part == 0) // read by evaluate() only
+        target_color_ = state[samples_.targetImage()].color;
+    return linearizeCells(state, cellsOf(part), equations);
+}
+
+double PhotometricTerm::evaluateCells(const State& state, Range cells) const
+{
+    const ColorGrid& source_color = state[samples_.sourceImage()].color;
+    const ColorGrid& target_color = state[samples_.targetImage()].color;
+    TargetLookup target = samples_.targetIn(state, options_.target_moves);
+    double total = 0;
     for (int cell = cells.start; cell < cells.end; ++cell)
     {
-        SampleSums sums;
-        other_quads.clear();
+        const FrozenWeights& weights = weights_[cell];
+        const ColorGrid::Quad& now = source_color.quad(cell);
+        const bool blended = weights.correlation_weight < 1;
         double energy = 0;
-        double former_energy = 0; // with the colours of the linearisation before
-        const ColorGrid::Quad* former = before ? &before->images[source_image_].color.quad(cell) : nullptr;
-        const double former_share = before ? 1 - before->weights[cell].correlation_weight : 0;
-        forEachInside(images, cell, target,
-                      [&](const Sample& sample, const PixelSample& pixel, const double* residual, double squared)
+        double former = 0; // with the colours of the last linearisation
+        double ignored[CHANNELS];
+        samples_.visit(state, cell, target, [&](const OverlapSamples::Sample& sample, const PixelSample& pixel)
         {
-            LinearSample linear;
-            for (int c = 0; c < 3; ++c)
-            {
-                linear.residual[c] = residual[c];
-                linear.mine[c] = sample.value[c];
-                linear.theirs[c] = pixel.value[c];
-            }
-            target.gradient(pixel, linear.gx, linear.gy);
-            linear.weight = loss.weight(squared) * sample.importance;
-            energy += loss.value(squared);
-            if (former_share > 0)
-                former_energy += loss.value(sample.importance * squaredResidual(sample.value, pixel, *former,
-                                            before->images[target_image_].color.quad(target.point().cell)));
-            sums.add(sample.weight, linear);
-            if (!target_moves)
-                return;
             const int other = target.point().cell;
-            auto other_quad = std::find_if(other_quads.begin(), other_quads.end(),
-                                        [other](const std::pair<int, CrossSums>& p) { return p.first == other; });
-            if (other_quad == other_quads.end())
-                other_quad = other_quads.insert(other_quad, {other, CrossSums()});
-            other_quad->second.add(sample.weight, target.point().weight.data(), linear);
+            energy += options_.loss.value(
+                sample.importance * residualOf(sample.value, pixel.value, now, target_color.quad(other), ignored));
+            if (blended)
+                former += options_.loss.value(
+                    sample.importance * residualOf(sample.value, pixel.value, weights.color, target_color_.quad(other), ignored));
         });
-        total.samples += options_.weight * energy;
-        if (before)
-            total.fixed += options_.weight * ((1 - former_share) * energy + former_share * former_energy) +
-                           before->weights[cell].extras(images[source_image_].color.quad(cell), images[target_image_].color);
-        weights[cell].clear();
-        if (sums.samples() == 0)
-            continue;
-        PhotometricBlock block = sums.block(options_.weight);
-        block.energy = options_.weight * energy;
-        const ColorGrid::Quad& now = images[source_image_].color.quad(cell);
-        const bool reweighted = options_.gain_support > 0;
-        FrozenWeights& fixed = weights[cell];
-        if (reweighted)
-            sums.reweightColors(now, options_.weight, target_moves ? 0 : options_.gain_support, block, fixed);
-        for (const std::pair<int, CrossSums>& other_quad : other_quads)
-        {
-            CrossBlock other = other_quad.second.block(options_.weight);
-            if (reweighted)
-                fixed.other_quads.push_back({other_quad.first, other_quad.second.reweightColors(now, images[target_image_].color.quad(other_quad.first),
-                                                                                   options_.weight, fixed.correlation_weight, block, other)});
-            if (frozen_[cell])
-            {
-                other.cross = other.mesh_mesh = QuadBlock{};
-                other.mesh_gradient = QuadRow{};
-            }
-            equations.addCross({source_image_, cell}, {target_image_, other_quad.first}, other);
-        }
-        total.here += block.energy;
-        if (frozen_[cell])
-        {
-            block.mesh_mesh = QuadBlock{};
-            block.mesh_gradient = QuadRow{};
-            block.mesh_color = {};
-        }
-        equations.addPhotometric({source_image_, cell}, block);
+        total += options_.weight * (weights.correlation_weight * energy + (1 - weights.correlation_weight) * former) +
+                 weights.extras(now, target_color);
     }
     return total;
 }
 
-std::vector<PhotometricTerm::QuadDecorrelation> PhotometricTerm::correlate(const std::vector<ImageState>& images) const
+double PhotometricTerm::linearizeCells(const State& state, Range cells, NormalEquations& equations)
 {
-    std::vector<QuadDecorrelation> decorrelations(lattice_.cellCount());
-    TargetLookup target(images[target_image_], target_shift_, false);
-    for (int cell = 0; cell < lattice_.cellCount(); ++cell)
+    const ColorGrid& source_color = state[samples_.sourceImage()].color;
+    const ColorGrid& target_color = state[samples_.targetImage()].color;
+    TargetLookup target = samples_.targetIn(state, options_.target_moves);
+    std::vector<std::pair<int, CrossSums>> cross; // target cell, sums; a handful at most
+    double total = 0;
+    for (int cell = cells.start; cell < cells.end; ++cell)
     {
-        PairSums quarters[4];
-        forEachInside(images, cell, target, [&](const Sample& sample, const PixelSample& pixel, const double*, double)
-        {
-            const bool right = sample.weight[1] + sample.weight[3] > 0.5F;
-            const bool bottom = sample.weight[2] + sample.weight[3] > 0.5F;
-            quarters[(right ? 1 : 0) + (bottom ? 2 : 0)].add(sample.value[0], pixel.value[0]);
-        });
-        for (const PairSums& m : quarters)
-        {
-            if (m.n < MIN_WINDOW_SAMPLES)
-                continue;
-            const double va = m.aa - m.a * m.a / m.n;
-            const double vb = m.bb - m.b * m.b / m.n;
-            if (va < TEXTURE_VARIANCE * m.n || vb < TEXTURE_VARIANCE * m.n)
-                continue;
-            const double miss = 1 - (m.ab - m.a * m.b / m.n) / std::sqrt(va * vb);
-            decorrelations[cell].sum += m.n * miss * miss;
-            decorrelations[cell].samples += static_cast<int>(m.n);
-        }
-    }
-    return decorrelations;
-}
-
-std::vector<PhotometricTerm::QuadColors> PhotometricTerm::compareColors(const std::vector<ImageState>& images) const
-{
-    std::vector<QuadColors> result;
-    TargetLookup target(images[target_image_], target_shift_, true);
-    for (int cell = 0; cell < lattice_.cellCount(); ++cell)
-    {
-        const size_t first = result.size();
-        forEachInside(images, cell, target, [&](const Sample& sample, const PixelSample& pixel, const double*, double)
+        const ColorGrid::Quad& now = source_color.quad(cell);
+        SampleSums sums;
+        cross.clear();
+        double energy = 0;
+        samples_.visit(state, cell, target, [&](const OverlapSamples::Sample& sample, const PixelSample& pixel)
         {
             const int other = target.point().cell;
-            auto found = std::find_if(result.begin() + first, result.end(),
-                                      [other](const QuadColors& item) { return item.target_cell == other; });
-            if (found == result.end())
-                found = result.insert(found, {cell, other, ColorMoments()});
-            found->moments.add(sample.value, pixel.value);
-        });
+            LinearSample linear;
+            const double squared =
+                sample.importance * residualOf(sample.value, pixel.value, now, target_color.quad(other), linear.residual);
+            for (int c = 0; c < CHANNELS; ++c)
+            {
+                linear.mine[c] = sample.value[c];
+                linear.theirs[c] = pixel.value[c];
+            }
+            target.gradient(pixel, linear.gx, linear.gy);
+            linear.weight = options_.loss.weight(squared) * sample.importance;
+            energy += options_.loss.value(squared);
+            sums.add(sample.weight, linear);
+            if (!options_.target_moves)
+                return;
+            auto found = std::find_if(cross.begin(), cross.end(),
+                                      [other](const std::pair<int, CrossSums>& item) { return item.first == other; });
+            if (found == cross.end())
+                found = cross.insert(found, {other, CrossSums()});
+            found->second.add(sample.weight, target.point().weight.data(), linear);
+        }, samplePixel);
+        weights_[cell].clear();
+        if (sums.samples() == 0)
+            continue;
+        PhotometricBlock block = sums.block(options_.weight);
+        block.energy = options_.weight * energy;
+        addQuad(state, cell, sums, cross, block, equations);
+        total += block.energy;
     }
-    return result;
+    return total;
 }
 
-void PhotometricTerm::freeze(const std::vector<int>& cells)
+void PhotometricTerm::addQuad(const State& state, int cell, const SampleSums& sums,
+                              const std::vector<std::pair<int, CrossSums>>& cross, PhotometricBlock& block,
+                              NormalEquations& equations)
 {
-    for (int cell : cells)
-        frozen_[cell] = true;
+    const ColorGrid::Quad& now = state[samples_.sourceImage()].color.quad(cell);
+    const ColorGrid& target_color = state[samples_.targetImage()].color;
+    FrozenWeights& weights = weights_[cell];
+    weights.color = now;
+    const bool reweighted = options_.gain_support > 0;
+    if (reweighted)
+        sums.reweightColors(now, options_.weight, options_.target_moves ? 0 : options_.gain_support, block, weights);
+    for (const std::pair<int, CrossSums>& item : cross)
+    {
+        CrossBlock other = item.second.block(options_.weight);
+        if (reweighted)
+            weights.other_quads.push_back({item.first, item.second.reweightColors(now, target_color.quad(item.first), options_.weight,
+                                                                                  weights.correlation_weight, block, other)});
+        if (mesh_frozen_[cell])
+        {
+            other.cross = other.mesh_mesh = QuadBlock{};
+            other.mesh_gradient = QuadRow{};
+        }
+        equations.addCross({samples_.sourceImage(), cell}, {samples_.targetImage(), item.first}, other);
+    }
+    if (mesh_frozen_[cell])
+    {
+        block.mesh_mesh = QuadBlock{};
+        block.mesh_gradient = QuadRow{};
+        block.mesh_color = {};
+    }
+    equations.addPhotometric({samples_.sourceImage(), cell}, block);
 }
 
 } // namespace gcpw

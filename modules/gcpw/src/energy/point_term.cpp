@@ -10,8 +10,8 @@ namespace gcpw
 {
 
 PointTerm::PointTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
-                     const std::vector<PointMatch>& matches, double weight, Point2d shift_b)
-    : image_a_(image_a), image_b_(image_b), shift_b_(shift_b)
+                     const std::vector<PointMatch>& matches, double weight, const RobustLoss& loss, Point2d shift_b)
+    : image_a_(image_a), image_b_(image_b), loss_(loss), shift_b_(shift_b)
 {
     pairs_.reserve(matches.size());
     for (const PointMatch& match : matches)
@@ -25,17 +25,35 @@ PointTerm::PointTerm(int image_a, int image_b, const Lattice& lattice_a, const L
     }
 }
 
-double PointTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, NormalEquations& equations) const
+Point2d PointTerm::residual(const Pair& pair, const State& state) const
+{
+    return state[image_a_].mesh.warp(pair.a) - state[image_b_].mesh.warp(pair.b) - shift_b_;
+}
+
+double PointTerm::evaluate(const State& state) const
 {
     double energy = 0;
     for (const Pair& pair : pairs_)
     {
         if (pair.a.cell < 0)
             continue;
-        const Point2d r = a.warp(pair.a) - b.warp(pair.b) - shift_b_;
+        const Point2d r = residual(pair, state);
+        energy += pair.weight * loss_.value(r.dot(r));
+    }
+    return energy;
+}
+
+double PointTerm::linearize(const State& state, NormalEquations& equations)
+{
+    double energy = 0;
+    for (const Pair& pair : pairs_)
+    {
+        if (pair.a.cell < 0)
+            continue;
+        const Point2d r = residual(pair, state);
         const double squared = r.dot(r);
-        energy += pair.weight * loss.value(squared);
-        const double weight = pair.weight * loss.weight(squared);
+        energy += pair.weight * loss_.value(squared);
+        const double weight = pair.weight * loss_.weight(squared);
         for (int axis = 0; axis < 2; ++axis)
         {
             QuadRow row_a{};
@@ -51,13 +69,12 @@ double PointTerm::linearize(const MeshGrid& a, const MeshGrid& b, const RobustLo
     return energy;
 }
 
-std::vector<double> PointTerm::distances(const MeshGrid& a, const MeshGrid& b) const
+std::vector<double> PointTerm::distances(const State& state) const
 {
     std::vector<double> result;
     result.reserve(pairs_.size());
     for (const Pair& pair : pairs_)
-        result.push_back(pair.a.cell < 0 ? std::numeric_limits<double>::infinity()
-                                         : norm(a.warp(pair.a) - b.warp(pair.b) - shift_b_));
+        result.push_back(pair.a.cell < 0 ? std::numeric_limits<double>::infinity() : norm(residual(pair, state)));
     return result;
 }
 

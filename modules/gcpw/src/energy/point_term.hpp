@@ -3,10 +3,9 @@
 #define OPENCV_GCPW_POINT_TERM_HPP
 
 #include <vector>
-#include "solver/normal_equations.hpp"
-#include "solver/robust_loss.hpp"
+#include "energy/energy_term.hpp"
 #include "geometry/matches.hpp"
-#include "model/mesh_grid.hpp"
+#include "solver/robust_loss.hpp"
 
 namespace cv
 {
@@ -19,19 +18,23 @@ namespace gcpw
 
 p_k, p'_k are reference points of images a and b; with b fixed at rest W_b(p'_k) is the paper's fixed p'. Linear in both
 meshes: but for the loss one linearisation is exact. Residuals: 2 per match, canvas px. */
-class PointTerm
+class PointTerm : public EnergyTerm
 {
 public:
     /// @param shift_b canvas px by which b is seen beside its own place (a canvas that wraps around)
     PointTerm(int image_a, int image_b, const Lattice& lattice_a, const Lattice& lattice_b,
-              const std::vector<PointMatch>& matches, double weight, Point2d shift_b = Point2d());
+              const std::vector<PointMatch>& matches, double weight, const RobustLoss& loss = RobustLoss(),
+              Point2d shift_b = Point2d());
 
-    /// Returns the robust energy.
-    double linearize(const MeshGrid& a, const MeshGrid& b, const RobustLoss& loss, NormalEquations& equations) const;
+    const char* name() const override { return "points"; }
+    double evaluate(const State& state) const override;
+    double linearize(const State& state, NormalEquations& equations) override;
+
+    void setLoss(const RobustLoss& loss) { loss_ = loss; }
 
     /// Distance of every match at present, canvas px, in the order given; infinite for one outside its image or
     /// without a finite weight of 0 or more.
-    std::vector<double> distances(const MeshGrid& a, const MeshGrid& b) const;
+    std::vector<double> distances(const State& state) const;
 
 private:
     struct Pair
@@ -40,10 +43,13 @@ private:
         CellPoint b;
         double weight;
     };
+    Point2d residual(const Pair& pair, const State& state) const;
+
     int image_a_;
     int image_b_;
+    RobustLoss loss_;
     Point2d shift_b_;
-    std::vector<Pair> pairs_;
+    std::vector<Pair> pairs_; ///< cell -1: left out
 };
 
 } // namespace gcpw

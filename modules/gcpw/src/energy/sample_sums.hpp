@@ -25,12 +25,12 @@ struct LinearSample
     double weight;    ///< of the squared residual
 };
 
-/** @brief How far the samples of a quad are heard about its colour.
+/** @brief The weights by which the samples of a quad count for its colour.
 
-Chosen where they are linearised and fixed until the next linearisation, so that the step and its line search see one
+Chosen where they are linearised and frozen until the next linearisation, so that the step and its line search see one
 function: with E the energy of the samples, c the colours and c_0 those of the linearisation,
 
-    correlation_weight E(c) + (1 - correlation_weight) E(c_0) + sum_c support_c (G_c - wanted_c)^2 - 2 sum_partners sum_c missing_c G_c G'_c
+    w E(c) + (1 - w) E(c_0) + sum_c support_c (G_c - wanted_c)^2 - 2 sum_other_quads sum_c missing_c G_c G'_c,   w = correlation_weight.
 
 Its value, gradient and Hessian at the linearisation are what SampleSums and CrossSums make of E. */
 struct FrozenWeights
@@ -41,6 +41,7 @@ struct FrozenWeights
         std::array<double, 3> missing; ///< see CrossSums::reweightColors(); weight and correlation_weight included
     };
     double correlation_weight = 1;
+    ColorGrid::Quad color;           ///< c_0
     std::array<double, 3> support{}; ///< weight and correlation_weight included
     std::array<double, 3> wanted{};  ///< gains
     std::vector<OtherQuad> other_quads;
@@ -53,14 +54,14 @@ struct FrozenWeights
     }
 
     /// All but the samples' own energy.
-    double extras(const ColorGrid::Quad& color, const ColorGrid& target) const
+    double extras(const ColorGrid::Quad& now, const ColorGrid& target) const
     {
         double energy = 0;
         for (int c = 0; c < CHANNELS; ++c)
-            energy += support[c] * (color[c].gain - wanted[c]) * (color[c].gain - wanted[c]);
+            energy += support[c] * (now[c].gain - wanted[c]) * (now[c].gain - wanted[c]);
         for (const OtherQuad& other_quad : other_quads)
             for (int c = 0; c < CHANNELS; ++c)
-                energy -= 2 * other_quad.missing[c] * color[c].gain * target.quad(other_quad.target_cell)[c].gain;
+                energy -= 2 * other_quad.missing[c] * now[c].gain * target.quad(other_quad.target_cell)[c].gain;
         return energy;
     }
 };

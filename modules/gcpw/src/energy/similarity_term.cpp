@@ -1,8 +1,6 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "energy/similarity_term.hpp"
 
-#include <algorithm>
-
 namespace cv
 {
 namespace gcpw
@@ -11,18 +9,16 @@ namespace gcpw
 namespace
 {
 
-const double MAX_FACTOR = 1e4; ///< a quad this stiff moves as one piece; more would spoil the conditioning
-
 /// Adds the two rows of one triangle; `corners` are the quad corners taken as v1, v2, v3.
-void addTriangle(const MeshGrid& rough, int cell, const int (&corners)[3], double weight, QuadBlock& block)
+void addTriangle(const MeshGrid& rough, int cell, const int (&corners)[3], QuadBlock& block)
 {
     const Point2d v1 = rough.vertex(cell, corners[0]);
     const Point2d v2 = rough.vertex(cell, corners[1]);
     const Point2d edge = rough.vertex(cell, corners[2]) - v2;
     const double length = edge.dot(edge);
-    const Point2d turned(edge.y, -edge.x); // R90 edge with R90 = [0 1; -1 0]
+    const Point2d rotated(edge.y, -edge.x); // R90 edge with R90 = [0 1; -1 0]
     const double u = (v1 - v2).dot(edge) / length;
-    const double v = (v1 - v2).dot(turned) / length;
+    const double v = (v1 - v2).dot(rotated) / length;
     // x: V1x - (1 - u) V2x - u V3x - v (V3y - V2y);   y: V1y - (1 - u) V2y - u V3y + v (V3x - V2x)
     QuadRow x{};
     QuadRow y{};
@@ -35,31 +31,11 @@ void addTriangle(const MeshGrid& rough, int cell, const int (&corners)[3], doubl
     y[2 * corners[2]] = v;
     for (int i = 0; i < 8; ++i)
         for (int j = 0; j < 8; ++j)
-            block[i][j] += weight * (x[i] * x[j] + y[i] * y[j]);
+            block[i][j] += x[i] * x[j] + y[i] * y[j];
 }
 
-QuadBlock scaled(QuadBlock block, double factor)
-{
-    for (auto& row : block)
-        for (double& value : row)
-            value *= factor;
-    return block;
-}
-
-} // namespace
-
-SimilarityTerm::SimilarityTerm(int image, const MeshGrid& rough, double weight)
-    : image_(image), quads_(rough.lattice().cellCount())
-{
-    for (int cell = 0; cell < rough.lattice().cellCount(); ++cell)
-    {
-        quads_[cell].block = QuadBlock{};
-        addTriangle(rough, cell, {0, 1, 2}, weight, quads_[cell].block);
-        addTriangle(rough, cell, {3, 2, 1}, weight, quads_[cell].block);
-    }
-}
-
-double SimilarityTerm::slope(int cell, const MeshGrid& mesh, QuadRow& gradient) const
+/// Energy of a quad at a mesh, and half its slope.
+double slope(const QuadBlock& block, const MeshGrid& mesh, int cell, QuadRow& gradient)
 {
     QuadRow x{};
     // The block ignores a shift of the whole quad: taking corner 0 as origin keeps the numbers small.
@@ -75,45 +51,54 @@ double SimilarityTerm::slope(int cell, const MeshGrid& mesh, QuadRow& gradient) 
     for (int i = 0; i < 8; ++i)
     {
         for (int j = 0; j < 8; ++j)
-            gradient[i] += quads_[cell].block[i][j] * x[j];
+            gradient[i] += block[i][j] * x[j];
         energy += gradient[i] * x[i];
     }
     return energy;
 }
 
-double SimilarityTerm::linearize(const MeshGrid& mesh, NormalEquations& equations) const
+} // namespace
+
+QuadBlock similarityBlock(const MeshGrid& rough, int cell)
 {
-    double total = 0;
-    for (int cell = 0; cell < static_cast<int>(quads_.size()); ++cell)
-    {
-        QuadRow gradient;
-        const double energy = slope(cell, mesh, gradient);
-        equations.addBlock({image_, cell}, scaled(quads_[cell].block, quads_[cell].factor), gradient, energy);
-        total += energy;
-    }
-    return total;
+    QuadBlock block{};
+    addTriangle(rough, cell, {0, 1, 2}, block);
+    addTriangle(rough, cell, {3, 2, 1}, block);
+    return block;
 }
 
-double SimilarityTerm::energy(const MeshGrid& mesh) const
+SimilarityTerm::SimilarityTerm(int image, const MeshGrid& rough, double weight) : image_(image)
+{
+    for (int cell = 0; cell < rough.lattice().cellCount(); ++cell)
+    {
+        blocks_.push_back(similarityBlock(rough, cell));
+        for (auto& row : blocks_.back())
+            for (double& value : row)
+                value *= weight;
+    }
+}
+
+double SimilarityTerm::evaluate(const State& state) const
 {
     double total = 0;
     QuadRow ignored;
-    for (int cell = 0; cell < static_cast<int>(quads_.size()); ++cell)
-        total += slope(cell, mesh, ignored);
+    for (size_t cell = 0; cell < blocks_.size(); ++cell)
+        total += slope(blocks_[cell], state[image_].mesh, static_cast<int>(cell), ignored);
     return total;
 }
 
-void SimilarityTerm::relax()
+double SimilarityTerm::linearize(const State& state, NormalEquations& equations)
 {
-    for (Stiff& quad : quads_)
-        quad.factor = 1;
-}
-
-void SimilarityTerm::stiffen(int cell, double factor, NormalEquations& equations)
-{
-    const double next = std::min(quads_[cell].factor * factor, MAX_FACTOR);
-    equations.addBlock({image_, cell}, scaled(quads_[cell].block, next - quads_[cell].factor), QuadRow{}, 0);
-    quads_[cell].factor = next;
+    double total = 0;
+    for (size_t k = 0; k < blocks_.size(); ++k)
+    {
+        const int cell = static_cast<int>(k);
+        QuadRow gradient;
+        const double energy = slope(blocks_[k], state[image_].mesh, cell, gradient);
+        equations.addBlock({image_, cell}, blocks_[k], gradient, energy);
+        total += energy;
+    }
+    return total;
 }
 
 } // namespace gcpw

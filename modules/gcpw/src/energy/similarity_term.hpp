@@ -3,8 +3,7 @@
 #define OPENCV_GCPW_SIMILARITY_TERM_HPP
 
 #include <vector>
-#include "solver/normal_equations.hpp"
-#include "model/mesh_grid.hpp"
+#include "energy/energy_term.hpp"
 
 namespace cv
 {
@@ -16,36 +15,23 @@ namespace gcpw
     E_s = weight * sum_i | V_1 - (V_2 + u (V_3 - V_2) + v R90 (V_3 - V_2)) |^2
 
 Two triangles a quad, v1 v2 v3 and v4 v3 v2; (u, v) are the coordinates of the first vertex in the frame of the other
-two in the *rough* mesh. Quadratic, so each quad's block is made once. Invariant to any similarity of the whole mesh.
-Quads that would fold are damped (stiffen()): a step then costs the energy of its *change* as well, which shortens it
-there and leaves energy and gradient alone. */
-class SimilarityTerm
+two in the *rough* mesh. Quadratic, so each quad's block is made once. Invariant to any similarity of the whole mesh. */
+class SimilarityTerm : public EnergyTerm
 {
 public:
     SimilarityTerm(int image, const MeshGrid& rough, double weight);
 
-    double linearize(const MeshGrid& mesh, NormalEquations& equations) const;
-
-    double energy(const MeshGrid& mesh) const;
-
-    /// Ends all damping.
-    void relax();
-
-    /// Multiplies the block by which a quad resists a step, up to a limit, and accumulates what that adds.
-    void stiffen(int cell, double factor, NormalEquations& equations);
+    const char* name() const override { return "similarity"; }
+    double evaluate(const State& state) const override;
+    double linearize(const State& state, NormalEquations& equations) override;
 
 private:
-    struct Stiff
-    {
-        QuadBlock block; ///< full, symmetric
-        double factor = 1; ///< on the block of a step
-    };
-    /// Gradient and energy of a quad.
-    double slope(int cell, const MeshGrid& mesh, QuadRow& gradient) const;
-
     int image_;
-    std::vector<Stiff> quads_;
+    std::vector<QuadBlock> blocks_; ///< full, symmetric
 };
+
+/// The block of one quad over its corners, both triangles, weight 1; full, symmetric.
+QuadBlock similarityBlock(const MeshGrid& rough, int cell);
 
 } // namespace gcpw
 } // namespace cv

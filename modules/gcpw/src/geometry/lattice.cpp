@@ -35,25 +35,6 @@ Point2d Lattice::referencePoint(const CellPoint& point) const
     return {(col + u) * cell_size_.width - 0.5, (row + v) * cell_size_.height - 0.5};
 }
 
-bool Lattice::contains(Point2d reference_px) const
-{
-    return reference_px.x >= -0.5 && reference_px.y >= -0.5 && reference_px.x <= image_size_.width - 0.5 &&
-           reference_px.y <= image_size_.height - 0.5;
-}
-
-CellPoint Lattice::locate(Point2d reference_px) const
-{
-    const double x = (reference_px.x + 0.5) / cell_size_.width;
-    const double y = (reference_px.y + 0.5) / cell_size_.height;
-    // Bounded before the cast, and in this order: NaN becomes 0.
-    const int col = static_cast<int>(std::min(std::max(0.0, std::floor(x)), cols_ - 1.0));
-    const int row = static_cast<int>(std::min(std::max(0.0, std::floor(y)), rows_ - 1.0));
-    CellPoint point;
-    point.cell = row * cols_ + col;
-    point.weight = bilinearWeights(x - col, y - row);
-    return point;
-}
-
 int Lattice::neighbours(int cell, std::array<int, 8>& out) const
 {
     const int col = cell % cols_;

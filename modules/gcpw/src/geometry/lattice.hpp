@@ -2,7 +2,9 @@
 #ifndef OPENCV_GCPW_LATTICE_HPP
 #define OPENCV_GCPW_LATTICE_HPP
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <opencv2/core.hpp>
 
 namespace cv
@@ -68,6 +70,26 @@ private:
 inline std::array<double, 4> bilinearWeights(double u, double v)
 {
     return {{(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
+}
+
+// Asked for every sample of every overlap: worth having where it is called.
+inline bool Lattice::contains(Point2d reference_px) const
+{
+    return reference_px.x >= -0.5 && reference_px.y >= -0.5 && reference_px.x <= image_size_.width - 0.5 &&
+           reference_px.y <= image_size_.height - 0.5;
+}
+
+inline CellPoint Lattice::locate(Point2d reference_px) const
+{
+    const double x = (reference_px.x + 0.5) / cell_size_.width;
+    const double y = (reference_px.y + 0.5) / cell_size_.height;
+    // Bounded before the cast, and in this order: NaN becomes 0.
+    const int col = static_cast<int>(std::min(std::max(0.0, std::floor(x)), cols_ - 1.0));
+    const int row = static_cast<int>(std::min(std::max(0.0, std::floor(y)), rows_ - 1.0));
+    CellPoint point;
+    point.cell = row * cols_ + col;
+    point.weight = bilinearWeights(x - col, y - row);
+    return point;
 }
 
 } // namespace gcpw

@@ -26,6 +26,9 @@ struct PixelSample
 cv::remap would quantise the position to 1/32 px; here it keeps its full precision. */
 bool samplePixel(const PyramidLevel& level, Point2d reference_px, PixelSample& sample);
 
+/// The values alone, of the very positions at which samplePixel() has an answer.
+bool sampleValue(const PyramidLevel& level, Point2d reference_px, PixelSample& sample);
+
 /// The bilinear luma (first channel) alone. False where any of the four nearest pixels leaves the image or its mask.
 bool sampleLuma(const PyramidLevel& level, Point2d reference_px, double& luma);
 

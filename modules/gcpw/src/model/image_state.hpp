@@ -2,6 +2,7 @@
 #ifndef OPENCV_GCPW_IMAGE_STATE_HPP
 #define OPENCV_GCPW_IMAGE_STATE_HPP
 
+#include <vector>
 #include "model/color_grid.hpp"
 #include "model/mesh_grid.hpp"
 
@@ -16,6 +17,9 @@ struct ImageState
     MeshGrid mesh;
     ColorGrid color;
 };
+
+/// All images of an alignment.
+typedef std::vector<ImageState> State;
 
 } // namespace gcpw
 } // namespace cv

@@ -2,6 +2,7 @@
 #include "optimization/fold_constraint.hpp"
 
 #include <algorithm>
+#include "energy/similarity_term.hpp"
 
 namespace cv
 {
@@ -13,10 +14,13 @@ namespace
 
 const int PATIENCE = 8;    ///< halvings of a vertex before it is stopped
 const int MAX_ROUNDS = 40; ///< then nothing moves
+const double STIFFEN = 5;      ///< factor on the damping of a quad that a step would still fold
+const double MAX_FACTOR = 1e4; ///< a quad this stiff moves as one piece; more would spoil the conditioning
 
 } // namespace
 
-FoldConstraint::FoldConstraint(const MeshGrid& rough, double min_ratio)
+FoldConstraint::FoldConstraint(const MeshGrid& rough, double min_ratio, int image, double damping_weight)
+    : rough_(rough), image_(image), damping_weight_(damping_weight), factor_(rough.lattice().cellCount(), 1)
 {
     for (int cell = 0; cell < rough.lattice().cellCount(); ++cell)
         for (int k = 0; k < 4; ++k)
@@ -55,6 +59,34 @@ void FoldConstraint::shorten(const MeshGrid& mesh, std::vector<Point2d>& step) c
                 step[i] *= factor;
     }
     std::fill(step.begin(), step.end(), Point2d());
+}
+
+void FoldConstraint::relax()
+{
+    std::fill(factor_.begin(), factor_.end(), 1);
+}
+
+void FoldConstraint::addDamping(int cell, double factor, MeshEquations& equations) const
+{
+    QuadBlock block = similarityBlock(rough_, cell);
+    for (auto& row : block)
+        for (double& value : row)
+            value *= damping_weight_ * factor;
+    equations.addBlock({image_, cell}, block, QuadRow{}, 0);
+}
+
+void FoldConstraint::damp(int cell, MeshEquations& equations)
+{
+    const double next = std::min(factor_[cell] * STIFFEN, MAX_FACTOR);
+    addDamping(cell, next - factor_[cell], equations);
+    factor_[cell] = next;
+}
+
+void FoldConstraint::addTo(MeshEquations& equations) const
+{
+    for (size_t cell = 0; cell < factor_.size(); ++cell)
+        if (factor_[cell] > 1)
+            addDamping(static_cast<int>(cell), factor_[cell] - 1, equations);
 }
 
 } // namespace gcpw

@@ -4,6 +4,7 @@
 
 #include <vector>
 #include "model/mesh_grid.hpp"
+#include "solver/normal_equations.hpp"
 
 namespace cv
 {
@@ -13,11 +14,14 @@ namespace gcpw
 /** @brief Keeps a mesh one-to-one: no corner of a quad may shrink below a share of its area in the rough mesh.
 
 A bilinear quad folds exactly where the triangle at one of its corners turns over; with every corner above a positive
-bound no step that passes shorten() can ever lead to a fold. */
+bound no step that passes shorten() can ever lead to a fold. Quads that a step would fold are damped first: a step then costs
+the similarity energy of its *change* as well, which shortens it there and leaves energy and gradient alone. */
 class FoldConstraint
 {
 public:
-    FoldConstraint(const MeshGrid& rough, double min_ratio);
+    /** @param min_ratio least area of a corner as a share of its rough area
+    @param image index of the mesh in the equations  @param damping_weight of the similarity of a change, before it is raised */
+    FoldConstraint(const MeshGrid& rough, double min_ratio, int image = 0, double damping_weight = 1);
 
     /** @brief The quads that a share of a step would bring below the bound.
 
@@ -27,8 +31,23 @@ public:
     /// Shortens the step of the vertices around violated quads, and of no others, until nothing is violated.
     void shorten(const MeshGrid& mesh, std::vector<Point2d>& step) const;
 
+    /// Ends all damping.
+    void relax();
+
+    /// Damps a quad more firmly, up to a limit, and adds what that changes.
+    void damp(int cell, MeshEquations& equations);
+
+    /// Adds the damping of all quads.
+    void addTo(MeshEquations& equations) const;
+
 private:
-    std::vector<double> bound_; ///< four per quad
+    void addDamping(int cell, double factor, MeshEquations& equations) const;
+
+    MeshGrid rough_;
+    int image_;
+    double damping_weight_;
+    std::vector<double> bound_;  ///< four per quad
+    std::vector<double> factor_; ///< of a quad's similarity in the matrix of a step; 1 without damping
 };
 
 } // namespace gcpw

@@ -38,20 +38,20 @@ public:
     {
         if (at_rest_)
         {
-            rest_ = canvas - shift_ - origin_;
-            if (!state_.mesh.lattice().contains(rest_))
+            reference_ = canvas - shift_ - origin_;
+            if (!state_.mesh.lattice().contains(reference_))
                 return false;
             if (want_cell_)
-                point_ = state_.mesh.lattice().locate(rest_);
+                point_ = state_.mesh.lattice().locate(reference_);
             return true;
         }
         // A walk that ends beside the mesh is slow, and pixels beyond the box are many.
         if (!bounds_.contains(canvas) || !state_.mesh.invert(canvas - shift_, hint_, point_))
             return false;
-        rest_ = state_.mesh.lattice().referencePoint(point_);
+        reference_ = state_.mesh.lattice().referencePoint(point_);
         return true;
     }
-    Point2d reference() const { return rest_; }
+    Point2d reference() const { return reference_; }
     const CellPoint& point() const { return point_; }
     const ColorGrid::Quad& color() const { return state_.color.quad(point_.cell); }
 
@@ -96,7 +96,7 @@ private:
     bool want_cell_;
     Rect2d bounds_; ///< of the target's mesh on the canvas
     int hint_ = -1;
-    Point2d rest_;
+    Point2d reference_;
     CellPoint point_;
 };
 

@@ -20,17 +20,18 @@ const double DAMPING = 1e-4; ///< weight of a vertex step, px^2: keeps vertices 
 GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
                        Point2d shift_fixed, const MatchFilterSchedule& schedule)
 {
-    const PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1, shift_fixed);
-    const SimilarityTerm similarity(0, rough, schedule.similarity_weight);
+    PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1, RobustLoss(), shift_fixed);
+    SimilarityTerm similarity(0, rough, schedule.similarity_weight);
     MeshSystem system({moving.lattice(), fixed.lattice()}, {false, true});
-    MeshGrid mesh = moving;
+    State state{{moving, ColorGrid()}, {fixed, ColorGrid()}};
+    MeshGrid& mesh = state[0].mesh;
     for (double scale = schedule.start_px;; scale *= schedule.factor)
     {
-        const RobustLoss loss(std::max(scale, schedule.end_px));
+        points.setLoss(RobustLoss(std::max(scale, schedule.end_px)));
         system.setZero();
         system.addDamping(DAMPING);
-        points.linearize(mesh, fixed, loss, system);
-        similarity.linearize(mesh, system);
+        points.linearize(state, system);
+        similarity.linearize(state, system);
         MeshStep step;
         // One image moves, so that nothing is iterated: what is not solved has no solution.
         if (system.solve(step) != SolveStatus::Solved)
@@ -42,7 +43,7 @@ GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, con
         if (scale <= schedule.end_px)
             break;
     }
-    const std::vector<double> distances = points.distances(mesh, fixed);
+    const std::vector<double> distances = points.distances(state);
     std::vector<PointMatch> kept;
     for (size_t i = 0; i < matches.size(); ++i)
         if (distances[i] <= schedule.keep_px)

@@ -61,7 +61,7 @@ ColorSystem::ColorSystem(const std::vector<Lattice>& lattices, const std::vector
     }
 }
 
-void ColorSystem::addDifference(QuadId a, QuadId b, const ColorBlock& block)
+void ColorSystem::addColorDifference(QuadId a, QuadId b, const ColorBlock& block)
 {
     const int edge = static_cast<int>(edges_.size());
     edges_.push_back({nodeOf(a), nodeOf(b), block});
@@ -72,16 +72,28 @@ void ColorSystem::addDifference(QuadId a, QuadId b, const ColorBlock& block)
     }
 }
 
-void ColorSystem::addPrior(QuadId quad, double weight, const ColorGrid::Quad& reference)
+void ColorSystem::addColorPrior(QuadId quad, double weight, const ColorGrid::Quad& reference)
 {
-    nodes_[nodeOf(quad)].prior = weight;
-    nodes_[nodeOf(quad)].reference = reference;
+    Node& node = nodes_[nodeOf(quad)];
+    node.prior += weight;
+    for (int c = 0; c < CHANNELS; ++c)
+    {
+        node.wanted[c][0] += weight * reference[c].gain;
+        node.wanted[c][1] += weight * reference[c].bias;
+    }
 }
 
-void ColorSystem::clearPriors()
+void ColorSystem::setZero()
 {
+    clearSamples();
+    edges_.clear();
     for (Node& node : nodes_)
+    {
         node.prior = 0;
+        node.wanted.fill(Pair{});
+        node.edge_sum = ColorBlock();
+        node.edges.clear();
+    }
 }
 
 void ColorSystem::clearSamples()
@@ -94,7 +106,7 @@ void ColorSystem::clearSamples()
     }
 }
 
-void ColorSystem::addSamples(QuadId quad, const PhotometricBlock& block, const ColorGrid::Quad& now)
+void ColorSystem::addSamples(QuadId quad, const SampleColor& block, const ColorGrid::Quad& now)
 {
     Node& node = nodes_[nodeOf(quad)];
     for (int c = 0; c < CHANNELS; ++c)
@@ -152,8 +164,8 @@ void ColorSystem::eliminate(QuadId quad, const std::vector<ColorGrid>& now, Phot
         if (!(determinant(own) > 0))
             continue; // nothing holds this colour: leave it where it is
         const ChannelAffine& mine = grid.quad(quad.cell)[c];
-        Pair gradient{{block.color_gradient[c][0] + node.prior * (mine.gain - node.reference[c].gain),
-                       block.color_gradient[c][1] + node.prior * (mine.bias - node.reference[c].bias)}};
+        Pair gradient{{block.color_gradient[c][0] + node.prior * mine.gain - node.wanted[c][0],
+                       block.color_gradient[c][1] + node.prior * mine.bias - node.wanted[c][1]}};
         for (const int e : node.edges)
         {
             const int neighbour = edges_[e].a == index ? edges_[e].b : edges_[e].a;
@@ -239,8 +251,8 @@ SolveStatus ColorSystem::solveChannel(int channel, Eigen::VectorXd& x) const
     Eigen::VectorXd right(2 * count);
     for (size_t i = 0; i < count; ++i)
     {
-        right[2 * i] = nodes_[i].right[channel][0] + nodes_[i].prior * nodes_[i].reference[channel].gain;
-        right[2 * i + 1] = nodes_[i].right[channel][1] + nodes_[i].prior * nodes_[i].reference[channel].bias;
+        right[2 * i] = nodes_[i].right[channel][0] + nodes_[i].wanted[channel][0];
+        right[2 * i + 1] = nodes_[i].right[channel][1] + nodes_[i].wanted[channel][1];
     }
     const auto product = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out)
     {
@@ -299,29 +311,6 @@ SolveStatus ColorSystem::solve(std::vector<ColorGrid>& grids) const
             for (int c = 0; c < CHANNELS; ++c)
                 grids[image].quad(node - first_[image])[c] = {solution[c][2 * node], solution[c][2 * node + 1]};
     return status;
-}
-
-double ColorSystem::regularizationEnergy(const std::vector<ColorGrid>& grids) const
-{
-    double energy = 0;
-    for (int c = 0; c < CHANNELS; ++c)
-    {
-        const Eigen::VectorXd x = values(grids, c);
-        for (size_t i = 0; i < nodes_.size(); ++i)
-        {
-            const double gain = x[2 * i] - nodes_[i].reference[c].gain;
-            const double bias = x[2 * i + 1] - nodes_[i].reference[c].bias;
-            energy += nodes_[i].prior * (gain * gain + bias * bias);
-        }
-        for (const Edge& edge : edges_)
-        {
-            const double gain = x[2 * edge.a] - x[2 * edge.b];
-            const double bias = x[2 * edge.a + 1] - x[2 * edge.b + 1];
-            const Pair product = gcpw::multiply(edge.block, gain, bias);
-            energy += gain * product[0] + bias * product[1];
-        }
-    }
-    return energy;
 }
 
 } // namespace gcpw

@@ -12,34 +12,25 @@ namespace cv
 namespace gcpw
 {
 
-/// Symmetric 2 x 2 block over (gain, bias) of one channel.
-struct ColorBlock
-{
-    double gain_gain = 0;
-    double gain_bias = 0;
-    double bias_bias = 0;
-};
-
 /** @brief The quadratic energy of all colour grids while the meshes stand still, and its exact minimum.
 
-The channels do not meet, so they are three systems of one shape: 2 x 2 blocks on the quads (samples, priors to reference) and
+The channels do not meet, so they are three systems of one shape: 2 x 2 blocks on the quads (samples, priors) and
 between quads (smoothness within an image; samples between images). eliminate() also serves the mesh step: it removes the
 six colour unknowns of one quad from its mesh block (Schur complement) with its neighbours fixed at the present value. */
-class ColorSystem
+class ColorSystem : public ColorEquations
 {
 public:
     /// @param lattices one per image  @param fixed images whose colour does not change
     ColorSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& fixed);
 
-    /// (color_a - color_b)^T block (color_a - color_b) in every channel; kept for good.
-    void addDifference(QuadId a, QuadId b, const ColorBlock& block);
+    /// Forgets everything but the lattices; keeps its memory.
+    void setZero();
 
-    /// weight * ((gain - reference gain)^2 + (bias - reference bias)^2) in every channel; one for a quad; kept until clearPriors().
-    void addPrior(QuadId quad, double weight, const ColorGrid::Quad& reference = ColorGrid::Quad());
-    void clearPriors();
+    void addColorDifference(QuadId a, QuadId b, const ColorBlock& block) override;
+    void addColorPrior(QuadId quad, double weight, const ColorGrid::Quad& reference) override;
 
     /// What the samples of a quad say about its colour, linearised at `now`; kept until clearSamples().
-    void addSamples(QuadId quad, const PhotometricBlock& block, const ColorGrid::Quad& now);
+    void addSamples(QuadId quad, const SampleColor& block, const ColorGrid::Quad& now);
     /// What they say about the colour of the quad they are compared with.
     void addCross(QuadId a, const ColorGrid::Quad& now_a, QuadId b, const ColorGrid::Quad& now_b,
                     const CrossColor& block);
@@ -50,10 +41,7 @@ public:
 
     /** Minimises; starts from the grids given and overwrites those that are not fixed.
     @return NotPositiveDefinite if a system has no unique finite answer; the grids are then unchanged */
-    SolveStatus solve(std::vector<ColorGrid>& grids) const;
-
-    /// Energy of differences and priors (samples are not counted: the photometric term knows their robust energy).
-    double regularizationEnergy(const std::vector<ColorGrid>& grids) const;
+    [[nodiscard]] SolveStatus solve(std::vector<ColorGrid>& grids) const;
 
 private:
     struct Edge
@@ -72,8 +60,8 @@ private:
     {
         std::array<ColorBlock, CHANNELS> samples;
         std::array<std::array<double, 2>, CHANNELS> right{}; ///< right-hand side of the samples
-        double prior = 0;
-        ColorGrid::Quad reference;
+        double prior = 0;                                       ///< sum of the weights of its priors
+        std::array<std::array<double, 2>, CHANNELS> wanted{};   ///< sum of weight times reference
         ColorBlock edge_sum;
         bool fixed = false;
         std::vector<int> edges;

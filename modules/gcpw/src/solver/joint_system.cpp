@@ -22,8 +22,9 @@ JointSystem::JointSystem(const std::vector<Lattice>& lattices, const std::vector
 void JointSystem::setZero()
 {
     meshes_.setZero();
+    colors_.setZero();
     photometric_.clear();
-    targets_.clear();
+    cross_.clear();
     eliminated_ = false;
 }
 
@@ -50,7 +51,7 @@ void JointSystem::addPhotometric(QuadId quad, const PhotometricBlock& block)
 void JointSystem::addCross(QuadId a, QuadId b, const CrossBlock& block)
 {
     meshes_.addCross(a, b, block);
-    targets_.push_back({a, b, block});
+    cross_.push_back({a, b, block});
 }
 
 void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGrid>& colors)
@@ -58,7 +59,7 @@ void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGri
     colors_.clearSamples();
     for (const EquationBuffer::Photometric& item : photometric_)
     {
-        PhotometricBlock moved = item.block;
+        SampleColor moved = item.block;
         const int vertices = step ? static_cast<int>((*step)[item.quad.image].size()) : 0;
         for (int i = 0; vertices > 0 && i < 8; ++i)
         {
@@ -70,7 +71,7 @@ void JointSystem::gatherSamples(const MeshStep* step, const std::vector<ColorGri
         }
         colors_.addSamples(item.quad, moved, colors[item.quad.image].quad(item.quad.cell));
     }
-    for (const Partner& item : targets_)
+    for (const Cross& item : cross_)
         colors_.addCross(item.a, colors[item.a.image].quad(item.a.cell), item.b,
                            colors[item.b.image].quad(item.b.cell), item.color);
 }
@@ -88,7 +89,7 @@ SolveStatus JointSystem::solveMeshes(const std::vector<ColorGrid>& colors, MeshS
         // A quad tied to a moving target keeps its colour for this step: taking the colour out of one side alone would
         // leave a matrix that is no sum of squares.
         std::vector<std::vector<bool>> tied(lattices_.size());
-        for (const Partner& item : targets_)
+        for (const Cross& item : cross_)
         {
             tied[item.a.image].resize(lattices_[item.a.image].cellCount());
             tied[item.a.image][item.a.cell] = true;

@@ -14,18 +14,15 @@ namespace gcpw
 /** @brief Meshes and colours of all images as one Gauss-Newton step.
 
 The colours of a quad are eliminated from its mesh block with the neighbouring colours fixed, the mesh unknowns are
-solved, then the three colour systems exactly, at the new mesh. This reaches the minimum that a factorisation of all
-unknowns reaches, in a thirtieth of the time. Use: setZero(), accumulate the terms, solveColors() and/or solve(). */
+solved, then the three colour systems exactly, at the new mesh. Repeated, it ends where steps by a factorisation of all
+unknowns end (doc/speed.md), in a fraction of the time. Use: setZero(), add the terms, then solveColors(), or solveMeshes() and
+solveColorsAfter(). */
 class JointSystem : public NormalEquations
 {
 public:
     JointSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& mesh_fixed,
                 const std::vector<bool>& color_fixed);
 
-    /// The regular part of the colours: filled once, kept by setZero().
-    ColorSystem& colors() { return colors_; }
-
-    /// Forgets all rows, blocks and samples.
     void setZero();
 
     void addRow(QuadId quad, const QuadRow& row, double residual, double weight) override;
@@ -34,6 +31,11 @@ public:
     void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) override;
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override;
     void addCross(QuadId a, QuadId b, const CrossBlock& block) override;
+    void addColorDifference(QuadId a, QuadId b, const ColorBlock& block) override { colors_.addColorDifference(a, b, block); }
+    void addColorPrior(QuadId quad, double weight, const ColorGrid::Quad& reference) override
+    {
+        colors_.addColorPrior(quad, weight, reference);
+    }
     void addDamping(double weight) { meshes_.addDamping(weight); }
 
     /// The colours that are best while the meshes stand still (eq. initialfunction); unchanged if there is no answer.
@@ -46,7 +48,7 @@ public:
     SolveStatus solveColorsAfter(const MeshStep& step, std::vector<ColorGrid>& colors);
 
 private:
-    struct Partner
+    struct Cross
     {
         QuadId a;
         QuadId b;
@@ -58,7 +60,7 @@ private:
     MeshSystem meshes_;
     ColorSystem colors_;
     std::vector<EquationBuffer::Photometric> photometric_;
-    std::vector<Partner> targets_;
+    std::vector<Cross> cross_;
     bool eliminated_ = false;
 };
 

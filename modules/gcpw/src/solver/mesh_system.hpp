@@ -41,6 +41,8 @@ public:
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override;
     /// Takes the mesh part only.
     void addCross(QuadId a, QuadId b, const CrossBlock& block) override;
+    void addColorDifference(QuadId, QuadId, const ColorBlock&) override {} ///< says nothing of meshes
+    void addColorPrior(QuadId, double, const ColorGrid::Quad&) override {} ///< says nothing of meshes
 
     /// weight * |step|^2 for every vertex: keeps motions finite that no term feels.
     void addDamping(double weight);

@@ -3,62 +3,76 @@
 #define OPENCV_GCPW_NORMAL_EQUATIONS_HPP
 
 #include <array>
+#include "model/color_grid.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
 
-/// A quad of the mesh of an image.
+/// One quad of one image.
 struct QuadId
 {
     int image = -1;
     int cell = -1;
 };
 
-/// Derivatives by the eight vertex coordinates of one quad: x0 y0 x1 y1 x2 y2 x3 y3, corners in lattice order.
+/// A row of the Jacobian over the eight coordinates of a quad's corners: x0, y0, x1, .. y3.
 typedef std::array<double, 8> QuadRow;
 
-/// Normal block over the eight vertex coordinates of one quad; only the upper triangle (row <= column) is read.
+/// A symmetric 8 x 8 block over the same unknowns; only its upper triangle is used unless said otherwise.
 typedef std::array<std::array<double, 8>, 8> QuadBlock;
 
-/** @brief Everything the colour-carrying samples of one quad say, already summed up (normal form).
-
-Colour unknowns are ordered gain, bias per channel: six numbers. Mesh unknowns as in QuadRow. */
-struct PhotometricBlock
+/// Symmetric 2 x 2 block over (gain, bias) of one channel.
+struct ColorBlock
 {
-    QuadBlock mesh_mesh{};                                 ///< upper triangle
-    QuadRow mesh_gradient{};                               ///< J^T r
-    std::array<std::array<double, 6>, 8> mesh_color{};     ///< J_mesh^T J_color
-    std::array<std::array<double, 3>, 3> color_color{};    ///< per channel: gain-gain, gain-bias, bias-bias
-    std::array<std::array<double, 2>, 3> color_gradient{}; ///< per channel: J_color^T r
+    double gain_gain = 0;
+    double gain_bias = 0;
+    double bias_bias = 0;
+};
+
+const int COLOR_UNKNOWNS = 2 * CHANNELS; ///< of a quad: gain, bias per channel
+
+/// What the samples of one quad say about its colour.
+struct SampleColor
+{
+    std::array<std::array<double, 3>, CHANNELS> color_color{};    ///< per channel: gain-gain, gain-bias, bias-bias
+    std::array<std::array<double, 2>, CHANNELS> color_gradient{}; ///< per channel: J_color^T r
+};
+
+/** @brief What the photometric samples of one quad say about its mesh and its colour, summed up (normal form).
+
+Mesh unknowns are ordered as in QuadRow, colour unknowns gain, bias per channel. */
+struct PhotometricBlock : SampleColor
+{
+    QuadBlock mesh_mesh{};                                             ///< upper triangle
+    QuadRow mesh_gradient{};                                           ///< J^T r
+    std::array<std::array<double, COLOR_UNKNOWNS>, 8> mesh_color{};    ///< J_mesh^T J_color
     double energy = 0;
     int samples = 0;
 };
 
-/** @brief What the same samples say about the colour of one quad of the image they are compared with. */
+/// What the same samples say about the colour of one quad of the target.
 struct CrossColor
 {
-    std::array<std::array<double, 4>, 3> color_cross{};    ///< per channel: gain-gain', gain-bias', bias-gain', bias-bias'
-    std::array<std::array<double, 3>, 3> color_color{};    ///< of the target
-    std::array<std::array<double, 2>, 3> color_gradient{}; ///< of the target
+    std::array<std::array<double, 4>, CHANNELS> color_cross{};    ///< per channel: gain-gain', gain-bias', bias-gain', bias-bias'
+    std::array<std::array<double, 3>, CHANNELS> color_color{};    ///< of the target
+    std::array<std::array<double, 2>, CHANNELS> color_gradient{}; ///< of the target
 };
 
-/** @brief What the same samples say about one quad of the image they are compared with, where that moves too. */
+/// What the same samples say about one quad of the target, where that moves too.
 struct CrossBlock : CrossColor
 {
-    QuadBlock cross{};       ///< J_mesh^T J_partner_mesh, all 64 numbers
+    QuadBlock cross{};       ///< J_mesh^T J_target_mesh, all 64 numbers
     QuadBlock mesh_mesh{};   ///< of the target, upper triangle
     QuadRow mesh_gradient{}; ///< of the target
 };
 
-/** @brief Where terms accumulate what they know: weighted squared residuals, as rows or as small summed blocks.
-
-A term never learns what becomes of them. Rows of an image that is fixed are dropped by the receiver. */
-class NormalEquations
+/// Receives quadratic energies of mesh vertices. Rows of an image that is fixed are dropped by the receiver.
+class MeshEquations
 {
 public:
-    virtual ~NormalEquations() = default;
+    virtual ~MeshEquations() = default;
 
     /// weight * (residual + row . d)^2
     virtual void addRow(QuadId quad, const QuadRow& row, double residual, double weight) = 0;
@@ -69,23 +83,33 @@ public:
 
     /// energy + 2 gradient . d + d^T block d
     virtual void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) = 0;
+};
 
-    /// The same with the colour of that quad as further unknowns.
+/// Receives quadratic energies of colours, in their values rather than in a step from the present ones.
+class ColorEquations
+{
+public:
+    virtual ~ColorEquations() = default;
+
+    /// (color_a - color_b)^T block (color_a - color_b) in every channel
+    virtual void addColorDifference(QuadId a, QuadId b, const ColorBlock& block) = 0;
+
+    /// weight * ((gain - reference gain)^2 + (bias - reference bias)^2) in every channel
+    virtual void addColorPrior(QuadId quad, double weight, const ColorGrid::Quad& reference) = 0;
+};
+
+/** @brief The normal equations of a Gauss-Newton step on meshes and colours: where terms add their squared residuals, as rows or
+as small summed blocks.
+
+A term never learns what becomes of them; tests put a recorder in the place of a solver. */
+class NormalEquations : public MeshEquations, public ColorEquations
+{
+public:
+    /// Photometric samples of a quad; its mesh and its colour are the unknowns.
     virtual void addPhotometric(QuadId quad, const PhotometricBlock& block) = 0;
 
     /// The target's side of samples whose own side went to addPhotometric(a, ..).
     virtual void addCross(QuadId a, QuadId b, const CrossBlock& block) = 0;
-};
-
-/// Takes everything and keeps nothing: for energies alone.
-class NullEquations : public NormalEquations
-{
-public:
-    void addRow(QuadId, const QuadRow&, double, double) override {}
-    void addRow(QuadId, const QuadRow&, QuadId, const QuadRow&, double, double) override {}
-    void addBlock(QuadId, const QuadBlock&, const QuadRow&, double) override {}
-    void addPhotometric(QuadId, const PhotometricBlock&) override {}
-    void addCross(QuadId, QuadId, const CrossBlock&) override {}
 };
 
 } // namespace gcpw

@@ -28,18 +28,17 @@ enum class Status
     CANCELLED = 3    //!< the progress callback said stop; the rough alignment is returned
 };
 
-/// Energy of each term, weighted as in eq. totalfunction.
-struct CV_EXPORTS TermEnergies
+/// Energy of the terms of one name, weighted as in eq. totalfunction.
+struct CV_EXPORTS TermEnergy
 {
-    double photometric = 0;
-    double points = 0;
-    double lines = 0;
-    double anchors = 0; //!< quads held where the matches had put them, an addition to the paper
-    double similarity = 0;
-    double color = 0;
+    std::string name; //!< "photometric", "points", "lines", "similarity", "color smoothness", ..
+    double value;
 
-    double total() const { return photometric + points + lines + anchors + similarity + color; }
+    explicit TermEnergy(const std::string& term = std::string(), double energy = 0) : name(term), value(energy) {}
 };
+
+/// The sum of all.
+CV_EXPORTS double totalEnergy(const std::vector<TermEnergy>& energies);
 
 /// Why the iterations on a level ended.
 enum class StopReason
@@ -57,8 +56,8 @@ struct CV_EXPORTS LevelReport
 {
     double scale = 1; //!< working pixels per pixel of this level
     int iterations = 0;
-    TermEnergies start; //!< after the colours were initialised (eq. initialfunction)
-    TermEnergies end;
+    std::vector<TermEnergy> start; //!< after the colours were initialised (eq. initialfunction)
+    std::vector<TermEnergy> end;
     StopReason stop = StopReason::ITERATION_LIMIT; //!< why it ended
 };
 

@@ -1,0 +1,68 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_GAUSS_NEWTON_HPP
+#define OPENCV_GCPW_GAUSS_NEWTON_HPP
+
+#include <functional>
+#include <vector>
+#include "energy/energy.hpp"
+#include "energy/problem.hpp"
+#include "opencv2/gcpw/alignment.hpp"
+#include "optimization/fold_constraint.hpp"
+#include "solver/joint_system.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+/** @brief Gauss-Newton steps with a line search on meshes and colours, for any list of terms.
+
+No step folds a quad: the mesh is checked as it is taken. No accepted step raises the energy: terms keep the weights of their
+linearisation until the step is judged (EnergyTerm::linearize()). */
+class GaussNewton
+{
+public:
+    /// @param colors whether colours are unknowns
+    GaussNewton(const Problem& problem, const Params& params, bool colors);
+
+    /// How a run ended where it did not end by itself (LevelReport::stop says by which rule it did).
+    enum class End
+    {
+        Done,
+        Singular,
+        Cancelled
+    };
+
+    struct Rules
+    {
+        int max_iterations = 1;
+        double stop_motion_px = 0;      ///< canvas px below which no vertex need move
+        double stop_gain = 0;           ///< share of the energy that a step should save
+        bool colors = false;            ///< whether colours are solved for: their terms are in the energy
+        std::function<bool()> progress; ///< called before each iteration; false cancels; may be empty
+    };
+
+    /// @param state the start; receives the result, where Singular or Cancelled the last good one
+    End run(Energy& energy, State& state, const Rules& rules, LevelReport& report);
+
+    /// The colours that are best while the meshes stand still (eq. initialfunction); unchanged if NotPositiveDefinite.
+    [[nodiscard]] SolveStatus solveColors(Energy& energy, State& state);
+
+private:
+    std::vector<TermEnergy> linearize(Energy& energy, const State& state);
+    SolveStatus constrainedStep(const State& state, MeshStep& step);
+    bool folds(const State& state, const MeshStep& step, double length) const;
+    double take(const State& state, const MeshStep& step, const std::vector<ColorGrid>& colors, double length, State& next) const;
+    bool search(const Energy& energy, const MeshStep& step, const std::vector<ColorGrid>& colors, double before, State& state,
+                std::vector<TermEnergy>& found, double& motion) const;
+
+    const Problem& problem_;
+    bool colors_;
+    JointSystem system_;
+    std::vector<FoldConstraint> constraints_;
+};
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
