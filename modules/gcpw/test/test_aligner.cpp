@@ -61,8 +61,8 @@ Alignment pairResult(const Mat& source, const Mat& target, Point corner, const P
     ProblemPair pair;
     pair.a = 0;
     pair.b = 1;
-    pair.matches = matchPair(detectFeatures(source, Mat(), source.size(), params), detectFeatures(target, Mat(), target.size(), params),
-                             problem.images[0].rough, problem.images[1].rough, Point2d(), params, termsOf(params.method));
+    pair.matches = matchPair(detectFeatures(source, Mat(), Size2d(1, 1), params), detectFeatures(target, Mat(), Size2d(1, 1), params),
+                             problem.images[0].rough, problem.images[1].rough, Point2d(), params, matchesUsedBy(params.method));
     problem.pairs.push_back(pair);
     problem.images[0].pyramid = buildPyramid(source, Mat(), params.pyramidLevels);
     problem.images[1].pyramid = buildPyramid(target, Mat(), params.pyramidLevels);

@@ -25,7 +25,7 @@ std::vector<LineMatch> linesOf(const std::vector<Segment>& moving, const std::ve
     a.segments = moving;
     b.segments = fixed;
     const Params params;
-    return matchPair(a, b, MeshGrid(lattice, SHIFT), MeshGrid(lattice), Point2d(), params, termsOf(Method::GCPW)).lines;
+    return matchPair(a, b, MeshGrid(lattice, SHIFT), MeshGrid(lattice), Point2d(), params, matchesUsedBy(Method::GCPW)).lines;
 }
 
 TEST(Gcpw_PairMatcher, a_line_across_the_fixed_images_border_finds_its_partner)
@@ -62,24 +62,24 @@ TEST(Gcpw_PairMatcher, both_kinds_of_features_heed_the_mask)
     const Scene scene(smallScene());
     Mat mask(scene.source().size(), CV_8UC1, Scalar(255));
     mask.colRange(0, 160).setTo(0);
-    const Features detected = detectFeatures(scene.source(), mask, mask.size(), Params());
-    const Features known = knownFeatures(scene.source(), mask, detected.keypoints);
+    const Features detected = detectFeatures(scene.source(), mask, Size2d(1, 1), Params());
+    const Features known = knownFeatures(scene.source(), mask, Size2d(1, 1), detected.keypoints);
     ASSERT_FALSE(detected.segments.empty());
     ASSERT_EQ(known.segments.size(), detected.segments.size());
     for (const Features& features : {detected, known})
         for (const Segment& s : features.segments)
             EXPECT_GE(std::min(s.start.x, s.end.x), 160);
-    EXPECT_GT(detectFeatures(scene.source(), Mat(), mask.size(), Params()).segments.size(), detected.segments.size());
+    EXPECT_GT(detectFeatures(scene.source(), Mat(), Size2d(1, 1), Params()).segments.size(), detected.segments.size());
 }
 
 TEST(Gcpw_PairMatcher, matches_that_no_mesh_verifies_are_not_kept)
 {
     const Scene scene(smallScene());
-    const Features a = detectFeatures(scene.source(), Mat(), scene.source().size(), Params());
-    const Features b = detectFeatures(scene.target(), Mat(), scene.target().size(), Params());
+    const Features a = detectFeatures(scene.source(), Mat(), Size2d(1, 1), Params());
+    const Features b = detectFeatures(scene.target(), Mat(), Size2d(1, 1), Params());
     MeshGrid rough(Lattice(scene.source().size(), 16, 16), Point2d(96, 0));
     const MeshGrid fixed(Lattice(scene.target().size(), 16, 16));
-    const auto match = [&] { return matchPair(a, b, rough, fixed, Point2d(), Params(), termsOf(Method::GCPW)); };
+    const auto match = [&] { return matchPair(a, b, rough, fixed, Point2d(), Params(), matchesUsedBy(Method::GCPW)); };
     ASSERT_GT(match().points.size(), 20u);
     rough.vertices()[0].x = std::numeric_limits<double>::infinity();
     const MatchSet unverified = match();
@@ -90,14 +90,14 @@ TEST(Gcpw_PairMatcher, matches_that_no_mesh_verifies_are_not_kept)
 TEST(Gcpw_PairMatcher, guided_matching_looks_once_more_and_finds_more)
 {
     const Scene scene((SceneOptions()));
-    const Features a = detectFeatures(scene.source(), Mat(), scene.source().size(), Params());
-    const Features b = detectFeatures(scene.target(), Mat(), scene.target().size(), Params());
+    const Features a = detectFeatures(scene.source(), Mat(), Size2d(1, 1), Params());
+    const Features b = detectFeatures(scene.target(), Mat(), Size2d(1, 1), Params());
     const MeshGrid rough(Lattice(scene.source().size(), 16, 16), Point2d(96, 0));
     const MeshGrid fixed(Lattice(scene.target().size(), 16, 16));
     Params params;
-    const size_t guided = matchPair(a, b, rough, fixed, Point2d(), params, termsOf(Method::GCPW)).points.size();
+    const size_t guided = matchPair(a, b, rough, fixed, Point2d(), params, matchesUsedBy(Method::GCPW)).points.size();
     params.guidedMatching = 0;
-    const size_t once = matchPair(a, b, rough, fixed, Point2d(), params, termsOf(Method::GCPW)).points.size();
+    const size_t once = matchPair(a, b, rough, fixed, Point2d(), params, matchesUsedBy(Method::GCPW)).points.size();
     EXPECT_GT(once, 20u);
     EXPECT_GT(guided, once);
     EXPECT_EQ(Params::paper().guidedMatching, 0) << "the paper matches once";

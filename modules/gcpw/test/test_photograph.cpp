@@ -119,12 +119,12 @@ TEST(Gcpw_Photograph, resizing_keeps_pixel_squares_in_place_and_shrinks_the_mask
     photograph.image(Rect(30, 0, 30, 40)).setTo(Scalar::all(200));
     photograph.mask = Mat(40, 60, CV_8UC1, Scalar(255));
     photograph.mask(Rect(0, 0, 9, 40)).setTo(0);
-    const Photograph half = resized(photograph, Size(30, 20));
+    const Photograph half = resized(photograph, FrameScale(Size(30, 20), photograph.image.size()));
     EXPECT_EQ(half.image.at<Vec3b>(5, 14), Vec3b(0, 0, 0));
     EXPECT_EQ(half.image.at<Vec3b>(5, 15), Vec3b(200, 200, 200));
     EXPECT_EQ(half.mask.at<uchar>(5, 4), 0) << "half of it is outside";
     EXPECT_EQ(half.mask.at<uchar>(5, 5), 255);
-    EXPECT_EQ(resized(photograph, photograph.image.size()).image.data, photograph.image.data) << "copied for nothing";
+    EXPECT_EQ(resized(photograph, FrameScale()).image.data, photograph.image.data) << "copied for nothing";
 }
 
 TEST(Gcpw_Photograph, the_area_of_a_gigapixel_photograph_is_no_int)

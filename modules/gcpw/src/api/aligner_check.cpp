@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "api/work_image.hpp"
 
 namespace cv
 {
@@ -16,6 +17,34 @@ namespace
 const double MAX_CANVAS =
     1 << 20;                   ///< px a side: farther apart, positions lose the precision that the alignment works at
 const double PERIOD_SLACK = 1; ///< px: an image all around may end in the very column it began with
+
+void checkImages(const std::vector<Mat>& images, const std::vector<Mat>& masks, size_t corners)
+{
+    CV_CheckGE(images.size(), size_t(2), "gcpw: Aligner::align() takes two images or more");
+    CV_CheckEQ(images.size(), corners, "gcpw: Aligner::align() takes one corner for each image");
+    if (!masks.empty())
+        CV_CheckEQ(images.size(), masks.size(), "gcpw: Aligner::align() takes one mask for each image, or none");
+    for (size_t i = 0; i < images.size(); ++i)
+    {
+        checkPhotograph(images[i], format("%zu-th", i).c_str());
+        if (masks.empty() || masks[i].empty())
+            continue;
+        CV_CheckTypeEQ(masks[i].type(), CV_8UC1, "gcpw: a mask is 8-bit with one channel");
+        if (masks[i].dims > 2 || masks[i].size() != images[i].size())
+            CV_Error(Error::StsUnmatchedSizes, format("gcpw: mask %zu has not the size of its image", i));
+    }
+}
+
+void checkWorkingSizes(const std::vector<Size>& sizes, double work_megapix)
+{
+    const double scale = frameScales(sizes, work_megapix, ScaleRule::COMMON).front().x;
+    for (size_t i = 0; i < sizes.size(); ++i)
+        if (cvRound(sizes[i].width * scale) < 1 || cvRound(sizes[i].height * scale) < 1)
+            CV_Error(Error::StsOutOfRange,
+                     format("gcpw: image %zu of %d x %d px vanishes at the working resolution; raise "
+                            "Params::workMegapix, which is %g",
+                            i, sizes[i].width, sizes[i].height, work_megapix));
+}
 
 void checkCorners(const std::vector<Point>& corners, const std::vector<Size>& sizes)
 {
@@ -94,16 +123,21 @@ void checkKeypoints(const std::vector<KnownKeypoints>& keypoints, int images)
 
 } // namespace
 
-void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Size>& sizes,
+void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Mat>& images, const std::vector<Mat>& masks,
                        const std::vector<Correspondences>& correspondences,
                        const std::vector<KnownKeypoints>& keypoints, const Params& params)
 {
-    const int images = static_cast<int>(sizes.size());
-    CV_CheckLT(params.referenceImage, images, "gcpw: Params::referenceImage is not one of the images");
+    checkImages(images, masks, corners.size());
+    std::vector<Size> sizes;
+    for (const Mat& image : images)
+        sizes.push_back(image.size());
+    const int count = static_cast<int>(images.size());
+    CV_CheckLT(params.referenceImage, count, "gcpw: Params::referenceImage is not one of the images");
+    checkWorkingSizes(sizes, params.workMegapix);
     checkCorners(corners, sizes);
     checkPeriod(params.canvasPeriod, sizes);
-    checkCorrespondences(correspondences, images);
-    checkKeypoints(keypoints, images);
+    checkCorrespondences(correspondences, count);
+    checkKeypoints(keypoints, count);
 }
 
 } // namespace gcpw

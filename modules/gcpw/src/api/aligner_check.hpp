@@ -10,9 +10,8 @@ namespace gcpw
 {
 
 /** @brief Refuses what Aligner::align() cannot work with: see there for the arguments.
-@param sizes of the images, px as given
 @throws cv::Exception that names the value and what it must be */
-void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Size>& sizes,
+void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Mat>& images, const std::vector<Mat>& masks,
                        const std::vector<Correspondences>& correspondences,
                        const std::vector<KnownKeypoints>& keypoints, const Params& params);
 

@@ -14,12 +14,21 @@ namespace cv
 namespace gcpw
 {
 
-Photograph toPhotograph(InputArray input, const char* name)
+void checkPhotograph(const Mat& image, const char* name)
 {
-    Mat image = input.getMat();
     const std::string what = std::string("gcpw: the ") + name + " image ";
     if (image.empty() || image.dims > 2)
         CV_Error(Error::StsBadArg, what + "is empty; pass a two-dimensional image");
+    const int channels = image.channels();
+    if ((image.depth() != CV_8U && image.depth() != CV_16U) || (channels != 1 && channels != 3 && channels != 4))
+        CV_Error(Error::StsUnsupportedFormat,
+                 what + "has type " + typeToString(image.type()) + "; pass 8- or 16-bit gray, BGR or BGRA");
+}
+
+Photograph toPhotograph(InputArray input, const char* name)
+{
+    Mat image = input.getMat();
+    checkPhotograph(image, name);
     if (image.depth() == CV_16U)
     {
         Mat bytes;
@@ -27,9 +36,6 @@ Photograph toPhotograph(InputArray input, const char* name)
         image = bytes;
     }
     const int channels = image.channels();
-    if (image.depth() != CV_8U || (channels != 1 && channels != 3 && channels != 4))
-        CV_Error(Error::StsUnsupportedFormat, what + "has type " + typeToString(image.type()) +
-                                                  "; pass 8- or 16-bit gray, BGR or BGRA");
     Photograph photograph;
     if (channels == 1)
         cvtColor(image, photograph.image, COLOR_GRAY2BGR);
@@ -80,16 +86,16 @@ Size cappedSize(Size full, double megapix)
     return {std::max(cvRound(full.width * scale), 1), std::max(cvRound(full.height * scale), 1)};
 }
 
-Photograph resized(const Photograph& photograph, Size size)
+Photograph resized(const Photograph& photograph, const FrameScale& scale)
 {
-    if (photograph.image.size() == size)
+    CV_DbgAssert(scale.x > 0 && scale.x <= 1 && scale.y > 0 && scale.y <= 1);
+    if (scale.x == 1 && scale.y == 1)
         return photograph;
-    const bool shrinks = static_cast<double>(size.width) * size.height < static_cast<double>(photograph.image.total());
     Photograph result;
-    resize(photograph.image, result.image, size, 0, 0, shrinks ? INTER_AREA : INTER_LINEAR);
+    resize(photograph.image, result.image, Size(), scale.x, scale.y, INTER_AREA);
     if (!photograph.mask.empty())
     {
-        resize(photograph.mask, result.mask, size, 0, 0, INTER_AREA);
+        resize(photograph.mask, result.mask, Size(), scale.x, scale.y, INTER_AREA);
         result.mask = result.mask > 254;
     }
     return result;

@@ -3,6 +3,7 @@
 #define OPENCV_GCPW_PHOTOGRAPH_HPP
 
 #include <opencv2/core.hpp>
+#include "geometry/frame_scale.hpp"
 
 namespace cv
 {
@@ -16,9 +17,13 @@ struct Photograph
     Mat mask;  ///< CV_8UC1, 255 where valid; empty means everywhere
 };
 
-/** @brief Converts what a caller may pass: 8- or 16-bit, gray, BGR or BGRA (alpha > half is valid).
+/** @brief Refuses what toPhotograph() cannot convert.
 @param name for messages ("source", "target")
-@throws cv::Exception if the image is empty or of another type */
+@throws cv::Exception if the image is empty or of a type not listed there */
+void checkPhotograph(const Mat& image, const char* name);
+
+/** @brief Converts what a caller may pass: 8- or 16-bit, gray, BGR or BGRA (alpha > half is valid).
+@throws cv::Exception as checkPhotograph() */
 Photograph toPhotograph(InputArray input, const char* name);
 
 /** @brief Narrows a photograph to the pixels where `valid` (CV_8UC1 of its size) is non-zero.
@@ -30,8 +35,11 @@ void hideOutside(Photograph& photograph, const Mat& valid);
 /// Size of an image scaled down to at most `megapix` million pixels; never scaled up, at least 1 x 1.
 Size cappedSize(Size full, double megapix);
 
-/// The photograph at another size (area average when shrinking).
-Photograph resized(const Photograph& photograph, Size size);
+/** @brief The photograph scaled down (area average) to the nearest whole number of pixels a side, which must not be 0.
+
+The scale itself, not that number, says where pixels lie. A pixel is valid if all it averages is.
+@param scale pixels of the result per pixel of the photograph, at most 1; 1 copies nothing */
+Photograph resized(const Photograph& photograph, const FrameScale& scale);
 
 } // namespace gcpw
 } // namespace cv

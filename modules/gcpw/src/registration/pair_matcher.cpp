@@ -32,33 +32,39 @@ Prediction expectation(const MeshGrid& moving, const MeshGrid& fixed, Point2d sh
 
 } // namespace
 
-Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const Params& params)
+MatchKinds matchesUsedBy(Method method)
+{
+    MatchKinds kinds;
+    kinds.points = method >= Method::CPW;
+    kinds.lines = method >= Method::DFW;
+    return kinds;
+}
+
+Features detectFeatures(const Mat& image, const Mat& mask, Size2d to_reference, const Params& params)
 {
     Mat gray;
     cvtColor(image, gray, COLOR_BGR2GRAY);
-    const Size2d to_reference(static_cast<double>(work_size.width) / gray.cols,
-                         static_cast<double>(work_size.height) / gray.rows);
     Features features;
     features.keypoints = detectKeypoints(gray, mask, to_reference, params.contrastThreshold);
     features.segments = detectSegments(gray, mask, to_reference, MIN_SEGMENT_LENGTH);
     return features;
 }
 
-Features knownFeatures(const Mat& image, const Mat& mask, const Keypoints& keypoints)
+Features knownFeatures(const Mat& image, const Mat& mask, Size2d to_reference, const Keypoints& keypoints)
 {
     Mat gray;
     cvtColor(image, gray, COLOR_BGR2GRAY);
     Features features;
     features.keypoints = keypoints;
-    features.segments = detectSegments(gray, mask, Size2d(1, 1), MIN_SEGMENT_LENGTH);
+    features.segments = detectSegments(gray, mask, to_reference, MIN_SEGMENT_LENGTH);
     return features;
 }
 
 MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed, Point2d shift_b,
-                   const Params& params, const TermList& terms_used)
+                   const Params& params, MatchKinds kinds)
 {
     MatchSet matches;
-    if (!terms_used.points)
+    if (!kinds.points)
         return matches;
     const Size size = fixed.lattice().imageSize();
     MeshGrid fitted = rough;
@@ -87,7 +93,7 @@ MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, 
         if (matchAround(REFINED_RADIUS) == GateStatus::Unsolved)
             CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the guided matches of a pair; those found before are kept");
     }
-    if (terms_used.lines)
+    if (kinds.lines)
         matches.lines = matchSegments(a.segments, b.segments, expectation(fitted, fixed, shift_b), SegmentTolerance());
     return matches;
 }

@@ -6,12 +6,20 @@
 #include "registration/segments.hpp"
 #include "model/mesh_grid.hpp"
 #include "opencv2/gcpw/params.hpp"
-#include "energy/term_list.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
+
+/// Which matches of two images are wanted.
+struct MatchKinds
+{
+    bool points = false;
+    bool lines = false; ///< only beside points, whose mesh verifies them
+};
+
+MatchKinds matchesUsedBy(Method method);
 
 /// Keypoints and line segments of one image, in reference pixels.
 struct Features
@@ -22,11 +30,11 @@ struct Features
 
 /** @brief Features of an image.
 @param image CV_8UC3 at the resolution they are to be found at  @param mask CV_8UC1 of its size, may be empty
-@param work_size reference frame */
-Features detectFeatures(const Mat& image, const Mat& mask, Size work_size, const Params& params);
+@param to_reference as for detectKeypoints() */
+Features detectFeatures(const Mat& image, const Mat& mask, Size2d to_reference, const Params& params);
 
-/// The same where the keypoints are known; `image` and `mask` are at the working resolution.
-Features knownFeatures(const Mat& image, const Mat& mask, const Keypoints& keypoints);
+/// The same where the keypoints are known, in reference pixels.
+Features knownFeatures(const Mat& image, const Mat& mask, Size2d to_reference, const Keypoints& keypoints);
 
 /** @brief All matches between a moving image and a fixed one, verified by a mesh.
 
@@ -35,7 +43,7 @@ where that mesh expects them (Params::guidedMatching; not if it folds). Line seg
 mesh, or by the rough one where that folds. There are no matches if no mesh fits them.
 @param rough rough mesh of a  @param fixed rough mesh of b  @param shift_b see ProblemPair */
 MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, const MeshGrid& fixed, Point2d shift_b,
-                   const Params& params, const TermList& terms_used);
+                   const Params& params, MatchKinds kinds);
 
 } // namespace gcpw
 } // namespace cv

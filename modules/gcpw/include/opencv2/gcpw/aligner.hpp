@@ -33,9 +33,11 @@ struct CV_EXPORTS KnownKeypoints
 Every pair that overlaps ties its two images, so loops close and no image is privileged by its order. The reference
 image (Params::referenceImage) keeps its place. Of two images it keeps its colours too; of more only if it is named, else
 colours are changed by mean gain 1 and mean bias 0 (Params::balanceWeight). */
-class CV_EXPORTS Aligner : public Algorithm
+class CV_EXPORTS Aligner
 {
 public:
+    virtual ~Aligner();
+
     /// @throws cv::Exception if params are out of range
     static Ptr<Aligner> create(const Params& params = Params());
 

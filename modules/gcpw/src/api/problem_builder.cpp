@@ -1,0 +1,183 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "api/problem_builder.hpp"
+
+#include <opencv2/core/utils/logger.hpp>
+#include "api/known_matches.hpp"
+#include "api/result.hpp"
+#include "geometry/homography.hpp"
+#include "registration/match_filter.hpp"
+#include "registration/rough_alignment.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+std::vector<Photograph> toPhotographs(const std::vector<Mat>& images, const std::vector<Mat>& masks)
+{
+    std::vector<Photograph> photographs;
+    for (size_t i = 0; i < images.size(); ++i)
+    {
+        photographs.push_back(toPhotograph(images[i], format("%zu-th", i).c_str()));
+        if (!masks.empty() && !masks[i].empty())
+            hideOutside(photographs.back(), masks[i]);
+    }
+    return photographs;
+}
+
+/// The lattice of every image carried through its homography.
+std::vector<ProblemImage> roughImages(const std::vector<WorkImage>& images, const RoughStart& start,
+                                      const Params& params)
+{
+    std::vector<ProblemImage> result(images.size());
+    for (size_t i = 0; i < images.size(); ++i)
+    {
+        result[i].rough = MeshGrid(Lattice(images[i].photograph.image.size(), params.meshCols, params.meshRows));
+        for (Point2d& vertex : result[i].rough.vertices())
+            vertex = applyHomography(start.canvas_from_image[i], vertex);
+        result[i].fixed = static_cast<int>(i) == start.fixed;
+    }
+    return result;
+}
+
+} // namespace
+
+ProblemBuilder::ProblemBuilder(const std::vector<Mat>& images, const std::vector<Mat>& masks, ScaleRule rule,
+                               const Params& params, const Progress& progress)
+    : params_(params), progress_(progress), begin_(getTickCount()), full_(toPhotographs(images, masks)),
+      images_(toWork(full_, params.workMegapix, rule)), features_(images.size())
+{
+}
+
+bool ProblemBuilder::goOn(const char* stage, double share)
+{
+    if (!progress_ || progress_(stage, share))
+        return true;
+    report_.status = Status::CANCELLED;
+    report_.message = problem_.images.empty() ? "cancelled before a rough alignment was found"
+                                              : "cancelled; the rough alignment was kept";
+    return false;
+}
+
+void ProblemBuilder::findFeatures(const std::vector<KnownKeypoints>& known)
+{
+    const int64 tick = getTickCount();
+    for (size_t i = 0; !failed() && i < full_.size(); ++i)
+    {
+        if (!goOn("features", static_cast<double>(i) / static_cast<double>(full_.size())))
+            break;
+        const Size full = full_[i].image.size();
+        const Photograph photograph = resized(full_[i], FrameScale(cappedSize(full, params_.featureMegapix), full));
+        const Size2d to_reference(images_[i].scale.x * full.width / photograph.image.cols,
+                                  images_[i].scale.y * full.height / photograph.image.rows);
+        features_[i] =
+            i < known.size() && !known[i].points.empty()
+                ? knownFeatures(photograph.image, photograph.mask, to_reference, toWork(known[i], images_[i]))
+                : detectFeatures(photograph.image, photograph.mask, to_reference, params_);
+    }
+    report_.timings_ms.features += millisecondsSince(tick);
+}
+
+void ProblemBuilder::startFromHomography()
+{
+    CV_DbgAssert(images_.size() == 2);
+    if (failed() || !goOn("homography", 0))
+        return;
+    const int64 tick = getTickCount();
+    homography_steps_ = 1;
+    const RoughAlignment rough = alignRoughly(features_[0].keypoints, features_[1].keypoints, features_[0].segments,
+                                              features_[1].segments, images_[0].photograph.image.size());
+    if (rough.found)
+        startFrom(startOfPair(rough.b_from_a));
+    else
+    {
+        report_.status = Status::NO_ALIGNMENT;
+        report_.message =
+            format("no alignment: %d keypoint matches, of which %d agree on a plausible homography; %d are needed",
+                   rough.tentative, rough.inliers, MIN_MATCHES);
+    }
+    report_.timings_ms.homography += millisecondsSince(tick);
+}
+
+void ProblemBuilder::startFrom(const RoughStart& start)
+{
+    if (failed())
+        return;
+    start_ = start;
+    problem_.images = roughImages(images_, start_, params_);
+    problem_.pairs = start_.pairs;
+    if (problem_.pairs.empty())
+    {
+        report_.status = Status::ROUGH;
+        report_.message = "no two images overlap; the rough alignment was kept";
+    }
+}
+
+void ProblemBuilder::findMatches(MatchKinds kinds, const std::vector<Correspondences>& known)
+{
+    const int64 tick = getTickCount();
+    const double steps = homography_steps_ + static_cast<double>(problem_.pairs.size());
+    for (size_t k = 0; !failed() && k < problem_.pairs.size(); ++k)
+    {
+        if (!goOn("homography", (homography_steps_ + static_cast<double>(k)) / steps))
+            break;
+        ProblemPair& pair = problem_.pairs[k];
+        pair.matches = known.empty() ? matchPair(features_[pair.a], features_[pair.b], problem_.images[pair.a].rough,
+                                                 problem_.images[pair.b].rough, pair.shift_b, params_, kinds)
+                                     : verified(known, pair);
+    }
+    report_.timings_ms.homography += millisecondsSince(tick);
+}
+
+void ProblemBuilder::setMatches(const MatchSet& matches)
+{
+    if (!failed())
+        problem_.pairs.front().matches = matches;
+}
+
+MatchSet ProblemBuilder::verified(const std::vector<Correspondences>& known, const ProblemPair& pair) const
+{
+    MatchSet matches;
+    matches.points = toWork(known, pair.a, pair.b, images_);
+    MatchFilterSchedule schedule;
+    schedule.similarity_weight = params_.similarityWeight;
+    const MeshGrid& a = problem_.images[pair.a].rough;
+    MeshGrid fitted = a;
+    if (filterMatches(matches.points, fitted, a, problem_.images[pair.b].rough, pair.shift_b, schedule) ==
+        GateStatus::Unsolved)
+        CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the correspondences of images " << pair.a << " and " << pair.b
+                                                                                    << "; they are left out");
+    return matches;
+}
+
+Alignment ProblemBuilder::align()
+{
+    std::vector<ImageState> states = roughStates(problem_);
+    if (!failed())
+    {
+        const int64 tick = getTickCount();
+        for (size_t i = 0; i < images_.size(); ++i)
+            problem_.images[i].pyramid =
+                buildPyramid(images_[i].photograph.image, images_[i].photograph.mask, params_.pyramidLevels);
+        refine(
+            problem_, params_, [&](double share) { return !progress_ || progress_("align", share); }, states, report_);
+        report_.timings_ms.align = millisecondsSince(tick);
+    }
+    report_.timings_ms.total += millisecondsSince(begin_);
+    std::vector<Alignment::Image> result;
+    for (size_t i = 0; i < states.size(); ++i)
+    {
+        result.push_back(toImage(problem_.images[i].rough, states[i], images_[i].full_size));
+        result.back().mesh += Scalar(start_.origin.x, start_.origin.y);
+        result.back().rough += Scalar(start_.origin.x, start_.origin.y);
+    }
+    // The canvas is the frame of the last image of a pair, and of all images where they share one scale.
+    const FrameScale& scale = images_.back().scale;
+    return Alignment(result, result.empty() ? Size2d(1, 1) : Size2d(scale.x, scale.y), report_);
+}
+
+} // namespace gcpw
+} // namespace cv
