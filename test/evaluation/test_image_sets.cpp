@@ -127,12 +127,12 @@ TEST(Evaluation_ImageSets, a_set_is_a_folder_of_two_images_or_more)
 
 TEST(Evaluation_ChildProcess, exit_code_time_and_memory_are_known)
 {
-    EXPECT_EQ(evaluation::runProgram("/bin/sh", {"-c", "exit 3"}).exit_code, 3);
-    EXPECT_EQ(evaluation::runProgram("/bin/sh", {"-c", "kill -9 $$"}).exit_code, 137);
-    const evaluation::ChildResult result = evaluation::runProgram("/bin/sh", {"-c", "sleep 0.05"});
+    EXPECT_EQ(evaluation::runChild("/bin/sh", {"-c", "exit 3"}).exit_code, 3);
+    EXPECT_EQ(evaluation::runChild("/bin/sh", {"-c", "kill -9 $$"}).exit_code, 137);
+    const evaluation::ChildResult result = evaluation::runChild("/bin/sh", {"-c", "sleep 0.05"});
     EXPECT_GE(result.seconds, 0.04);
     EXPECT_GT(result.peak_mb, 0.1);
-    EXPECT_THROW(evaluation::runProgram("/no/such/program", {}), cv::Exception);
+    EXPECT_THROW(evaluation::runChild("/no/such/program", {}), cv::Exception);
 }
 
 } // namespace
