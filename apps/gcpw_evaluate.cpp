@@ -26,8 +26,10 @@ const char* const KEYS =
     "{out            | build/evaluation | folder for tables and sheets; finished rows in it are kept }"
     "{methods        | all              | comma-separated: global, apap, cpw, dfw, mfw, lsh_mfw, ros_mfw, gcpw }"
     "{degrees        | 0..16            | of synthetic colour variation: 0..16, or 0,4,8 }"
+    "{inputs         | 5                | score each pair as the median over the first 1..5 inputs, a pixel apart; 1 for a quick look }"
     "{max_megapix    | 0.48             | photographs are scaled down to this, million pixels }"
-    "{workers        | 0                | pairs at a time, one thread each; 0 takes one for each core }"
+    "{write_inputs   |                  | write the inputs of all pairs to this folder, PAIR/1/01.png and so on, and stop }"
+    "{workers        | 0                | inputs at a time, one thread each; 0 takes one for each core }"
     "{fresh          |                  | forget the results in --out }"
     "{no_sheets      |                  | no contact sheets }"
     "{paper          |                  | the paper's constants instead of the defaults }"
@@ -40,6 +42,7 @@ struct Job
     std::vector<std::string> options; ///< what the results depend on
     std::vector<evaluation::ImageSet> sets;
     std::vector<std::string> stitch_options; ///< for gcpw_stitch
+    std::string write_inputs; ///< a folder, or empty: then the experiments are made
     bool fresh = false;
     bool sheets = true;
 };
@@ -104,6 +107,8 @@ Job parse(const cv::CommandLineParser& parser)
     const std::string sets = parser.get<std::string>("sets");
     if (pairs.empty() && sets.empty())
         throw WrongUse("photographs are needed: gcpw_evaluate --pairs=FOLDER or --sets=FOLDER; --help lists the options");
+    if (pairs.empty() && parser.has("write_inputs"))
+        throw WrongUse("--write_inputs is for pairs: gcpw_evaluate --pairs=FOLDER --write_inputs=FOLDER");
     if (!pairs.empty())
         experiment.pairs = evaluation::findPairs(pairs);
     if (!sets.empty())
@@ -111,8 +116,10 @@ Job parse(const cv::CommandLineParser& parser)
     experiment.folder = parser.get<std::string>("out");
     experiment.methods = methodsOf(parser.get<std::string>("methods"));
     experiment.degrees = degreesOf(parser.get<std::string>("degrees"));
+    experiment.inputs = parser.get<int>("inputs");
     experiment.max_megapix = parser.get<double>("max_megapix");
     experiment.workers = parser.get<int>("workers");
+    job.write_inputs = parser.get<std::string>("write_inputs");
     job.fresh = parser.has("fresh");
     job.sheets = !parser.has("no_sheets");
     if (parser.has("paper"))
@@ -130,6 +137,8 @@ Job parse(const cv::CommandLineParser& parser)
     }
     if (!(experiment.max_megapix > 0))
         throw WrongUse("--max_megapix is million pixels, more than 0");
+    if (experiment.inputs < 1 || experiment.inputs > evaluation::INPUTS)
+        throw WrongUse("--inputs lies in 1..5, got " + std::to_string(experiment.inputs));
     if (experiment.workers < 0 || experiment.workers > 256)
         throw WrongUse("--workers lies in 0..256, got " + std::to_string(experiment.workers));
     if (experiment.workers == 0)
@@ -140,6 +149,34 @@ Job parse(const cv::CommandLineParser& parser)
         if (name != "method")
             job.options.push_back(name + cv::format("=%.9g", experiment.params.get(name)));
     return job;
+}
+
+int writeInputs(const evaluation::Experiment& experiment, const std::string& folder)
+{
+    int code = EXIT_STITCHED;
+    for (const evaluation::PairFiles& pair : experiment.pairs)
+        for (int input = 1; input <= experiment.inputs; ++input)
+        {
+            cv::Mat source;
+            cv::Mat target;
+            try
+            {
+                source = evaluation::readInput(pair.source, experiment.max_megapix, input);
+                target = evaluation::readInput(pair.target, experiment.max_megapix, input);
+            }
+            catch (const cv::Exception& error)
+            {
+                std::cerr << "gcpw_evaluate: " << pair.name << ": " << error.err << '\n';
+                code = EXIT_NO_ALIGNMENT;
+                break;
+            }
+            const std::string place = folder + "/" + pair.name + "/" + std::to_string(input);
+            makeFolder(place);
+            writeImage(place + "/01.png", source);
+            writeImage(place + "/02.png", target);
+        }
+    std::cout << folder << " written\n";
+    return code;
 }
 
 void showProgress(int done, int total)
@@ -154,6 +191,31 @@ void showProgress(int done, int total)
     std::cerr.flush();
 }
 
+/// Returns whether the photographs of all pairs could be read.
+bool writeSheets(const evaluation::Experiment& experiment, const evaluation::RunTable& rows)
+{
+    bool all = true;
+    const std::string folder = experiment.folder + "/sheets";
+    makeFolder(folder);
+    for (const evaluation::PairFiles& pair : experiment.pairs)
+    {
+        cv::Mat sheet;
+        try
+        {
+            sheet = evaluation::contactSheet(experiment, pair, rows);
+        }
+        catch (const cv::Exception& error)
+        {
+            std::cerr << "gcpw_evaluate: no sheet of " << pair.name << ": " << error.err << '\n';
+            all = false;
+        }
+        if (!sheet.empty())
+            writeImage(folder + "/" + pair.name + ".jpg", sheet);
+    }
+    std::cout << folder << " written\n";
+    return all;
+}
+
 int evaluatePairs(const Job& job)
 {
     const evaluation::Experiment& experiment = job.experiment;
@@ -163,18 +225,12 @@ int evaluatePairs(const Job& job)
         std::cerr << "gcpw_evaluate: " << complaint << '\n';
     const std::string report = experiment.folder + "/report.md";
     const evaluation::RunTable rows = results.rows();
-    writeText(report, evaluation::markdownPage(rows, experiment.methods));
+    writeText(report, evaluation::markdownPage(rows, experiment.methods, experiment.inputs));
     std::cout << report << " and results.csv written\n";
+    bool whole = complaints.empty();
     if (job.sheets && experiment.degrees.front() == 0)
-    {
-        const std::string folder = experiment.folder + "/sheets";
-        makeFolder(folder);
-        for (const evaluation::PairFiles& pair : experiment.pairs)
-            if (const cv::Mat sheet = evaluation::contactSheet(experiment, pair, rows); !sheet.empty())
-                writeImage(folder + "/" + pair.name + ".jpg", sheet);
-        std::cout << folder << " written\n";
-    }
-    return complaints.empty() ? EXIT_STITCHED : EXIT_NO_ALIGNMENT;
+        whole = writeSheets(experiment, rows) && whole;
+    return whole ? EXIT_STITCHED : EXIT_NO_ALIGNMENT;
 }
 
 /// @param program path of gcpw_stitch
@@ -206,6 +262,8 @@ int main(int argc, char** argv)
     return runProgram("gcpw_evaluate", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
     {
         const Job job = parse(parser);
+        if (!job.write_inputs.empty())
+            return writeInputs(job.experiment, job.write_inputs);
         cv::setNumThreads(1); // a worker is a thread: no matter how many there are, each run is the same
         const int code = job.experiment.pairs.empty() ? static_cast<int>(EXIT_STITCHED) : evaluatePairs(job);
         if (!job.sets.empty())

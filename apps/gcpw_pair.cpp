@@ -91,6 +91,26 @@ void addScore(Json& json, const std::string& key, const Score& score)
     json.beginObject(key).add("ncc", score.ncc).add("zncc", score.zncc).endObject();
 }
 
+const char* stopName(StopReason reason)
+{
+    switch (reason)
+    {
+    case StopReason::ITERATION_LIMIT:
+        return "iteration_limit";
+    case StopReason::MESH_STABLE:
+        return "mesh_stable";
+    case StopReason::ENERGY_STABLE:
+        return "energy_stable";
+    case StopReason::NO_DESCENT:
+        return "no_descent";
+    case StopReason::SINGULAR:
+        return "singular";
+    case StopReason::CANCELLED:
+        return "cancelled";
+    }
+    return "unknown";
+}
+
 /// @param before, after null where nothing was rendered
 std::string reportText(const Report& report, const char* method, const Score* before, const Score* after, double render_ms)
 {
@@ -105,7 +125,7 @@ std::string reportText(const Report& report, const char* method, const Score* be
     for (const LevelReport& level : report.levels)
     {
         json.beginObject().add("scale", level.scale).add("iterations", level.iterations);
-        json.add("converged", level.converged);
+        json.add("stop", stopName(level.stop));
         addEnergies(json, "energy_start", level.start);
         addEnergies(json, "energy_end", level.end);
         json.endObject();

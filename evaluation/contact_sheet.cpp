@@ -126,13 +126,13 @@ std::vector<cv::Rect> worstPatches(const std::vector<PairCanvas>& canvases, cv::
 
 cv::Mat contactSheet(const Experiment& experiment, const PairFiles& pair, const RunTable& rows)
 {
-    const cv::Mat source = readCapped(pair.source, experiment.max_megapix);
-    const cv::Mat target = readCapped(pair.target, experiment.max_megapix);
+    const cv::Mat source = readInput(pair.source, experiment.max_megapix, INPUT_GIVEN);
+    const cv::Mat target = readInput(pair.target, experiment.max_megapix, INPUT_GIVEN);
     std::vector<Entry> entries;
     std::vector<PairCanvas> canvases;
     for (const PairMethod* method : experiment.methods)
     {
-        const auto row = rows.find({pair.name, method->name, 0});
+        const auto row = rows.find({pair.name, method->name, 0, INPUT_GIVEN});
         if (row == rows.end() || !std::isfinite(row->second.zncc))
             continue;
         Entry entry;

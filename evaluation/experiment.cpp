@@ -1,11 +1,11 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "evaluation/experiment.hpp"
 
-#include <algorithm>
 #include <ctime>
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <set>
 #include <thread>
 #include "evaluation/color_variation.hpp"
 
@@ -26,11 +26,19 @@ double threadMilliseconds()
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// One run of a pair.
+/// One run of an input.
 struct Task
 {
     const PairMethod* method;
     int degree;
+};
+
+/// What a worker takes at a time: the runs that one input of a pair lacks.
+struct Batch
+{
+    const PairFiles* pair;
+    int input;
+    std::vector<Task> tasks;
 };
 
 std::vector<Task> tasksOf(const Experiment& experiment)
@@ -43,6 +51,20 @@ std::vector<Task> tasksOf(const Experiment& experiment)
     return tasks;
 }
 
+/// An input of a pair, and what its matches took.
+struct Matched
+{
+    cv::Mat source;
+    cv::Mat target;
+    PairMatches matches;
+    double match_ms = 0;
+};
+
+std::string nameOf(const RunKey& key)
+{
+    return key.pair + ", " + key.method + cv::format(", degree %d, input %d: ", key.degree, key.input);
+}
+
 /// What the workers share.
 class Crew
 {
@@ -50,30 +72,31 @@ public:
     Crew(const Experiment& experiment, ResultsFile& results, const RunCallback& progress)
         : experiment_(experiment), results_(results), progress_(progress)
     {
-        for (const PairFiles& pair : experiment.pairs)
-        {
-            std::vector<Task> missing;
-            for (const Task& task : tasksOf(experiment))
-                if (!results.has({pair.name, task.method->name, task.degree}))
-                    missing.push_back(task);
-            total_ += static_cast<int>(missing.size());
-            missing_.push_back(missing);
-        }
+        for (int input = 1; input <= experiment.inputs; ++input) // an interrupted experiment has the first of all pairs
+            for (const PairFiles& pair : experiment.pairs)
+            {
+                Batch batch = {&pair, input, {}};
+                for (const Task& task : tasksOf(experiment))
+                    if (!results.has({pair.name, task.method->name, task.degree, input}))
+                        batch.tasks.push_back(task);
+                total_ += static_cast<int>(batch.tasks.size());
+                if (!batch.tasks.empty())
+                    batches_.push_back(batch);
+            }
     }
 
-    /// Takes pair after pair until there are none; never throws.
+    /// Takes batch after batch until there are none; never throws.
     void work() noexcept
     {
         try
         {
-            for (size_t index = take(); index < missing_.size(); index = take())
-                if (!missing_[index].empty())
-                    runPair(experiment_.pairs[index], missing_[index]);
+            for (size_t index = take(); index < batches_.size(); index = take())
+                runBatch(batches_[index]);
         }
         catch (...)
         {
             const std::lock_guard<std::mutex> lock(mutex_);
-            next_ = missing_.size(); // nobody begins another
+            next_ = batches_.size(); // nobody begins another
             if (!error_)
                 error_ = std::current_exception();
         }
@@ -83,87 +106,109 @@ public:
     {
         if (error_)
             std::rethrow_exception(error_);
-        std::sort(complaints_.begin(), complaints_.end());
-        return complaints_;
+        return std::vector<std::string>(complaints_.begin(), complaints_.end());
     }
 
 private:
     size_t take()
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        return next_ < missing_.size() ? next_++ : next_;
+        return next_ < batches_.size() ? next_++ : next_;
     }
 
-    void runPair(const PairFiles& pair, const std::vector<Task>& tasks)
+    void runBatch(const Batch& batch)
     {
-        const cv::Mat source = readCapped(pair.source, experiment_.max_megapix);
-        const cv::Mat target = readCapped(pair.target, experiment_.max_megapix);
-        const double start = threadMilliseconds();
-        const PairMatches matches = cv::gcpw::findPairMatches(source, target, experiment_.params);
-        const double match_ms = threadMilliseconds() - start;
-        for (const Task& task : tasks)
+        Matched input;
+        try
         {
-            const RunKey key = {pair.name, task.method->name, task.degree};
+            input = readAndMatch(batch);
+        }
+        catch (const cv::Exception& error)
+        {
+            complain(batch.pair->name + ": " + error.err);
+            for (size_t i = 0; i < batch.tasks.size(); ++i)
+                countRun();
+            return;
+        }
+        for (const Task& task : batch.tasks)
+        {
+            const RunKey key = {batch.pair->name, task.method->name, task.degree, batch.input};
             RunResult result;
             try
             {
-                result = runTask(source, target, matches, task, key);
+                result = runTask(input, task, key);
             }
             catch (const cv::Exception& error)
             {
                 result.status = "failed";
                 result.ncc = result.zncc = std::numeric_limits<double>::quiet_NaN();
-                complain(key, error.err);
+                complain(nameOf(key) + error.err);
             }
-            result.match_ms = match_ms;
+            result.match_ms = input.match_ms;
             results_.append(key, result);
-            const std::lock_guard<std::mutex> lock(mutex_);
-            ++done_;
-            if (progress_)
-                progress_(done_, total_);
+            countRun();
         }
     }
 
-    RunResult runTask(const cv::Mat& source, const cv::Mat& target, const PairMatches& matches, const Task& task,
-                      const RunKey& key)
+    Matched readAndMatch(const Batch& batch) const
+    {
+        Matched input;
+        input.source = readInput(batch.pair->source, experiment_.max_megapix, batch.input);
+        input.target = readInput(batch.pair->target, experiment_.max_megapix, batch.input);
+        const double start = threadMilliseconds();
+        input.matches = cv::gcpw::findPairMatches(input.source, input.target, experiment_.params);
+        input.match_ms = threadMilliseconds() - start;
+        return input;
+    }
+
+    RunResult runTask(const Matched& input, const Task& task, const RunKey& key)
     {
         RunResult result;
-        const cv::Mat recolored = varyColors(source, task.degree);
+        const cv::Mat recolored = varyColors(input.source, task.degree);
         const double start = threadMilliseconds();
-        const Alignment alignment = task.method->align(recolored, target, matches, experiment_.params, cv::gcpw::Progress());
+        const Alignment alignment =
+            task.method->align(recolored, input.target, input.matches, experiment_.params, cv::gcpw::Progress());
         result.align_ms = threadMilliseconds() - start;
         if (alignment.imageCount() == 0)
         {
             result.status = "no_alignment";
             result.ncc = result.zncc = std::numeric_limits<double>::quiet_NaN();
-            complain(key, alignment.report().message);
+            complain(nameOf(key) + alignment.report().message);
             return result;
         }
         result.status = alignment.ok() ? "ok" : "rough";
         result.folds = alignment.report().folds;
-        const cv::gcpw::Score score = cv::gcpw::scorePair(cv::gcpw::renderPair(alignment, source, target));
+        const cv::gcpw::Score score = cv::gcpw::scorePair(cv::gcpw::renderPair(alignment, input.source, input.target));
         result.ncc = score.ncc;
         result.zncc = score.zncc;
-        if (task.degree == 0)
+        if (task.degree == 0 && key.input == INPUT_GIVEN)
             alignment.save(alignmentPath(experiment_.folder, key.pair, key.method));
         return result;
     }
 
-    void complain(const RunKey& key, const std::string& message)
+    void complain(const std::string& message)
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        complaints_.push_back(key.pair + ", " + key.method + cv::format(", degree %d: ", key.degree) + message);
+        complaints_.insert(message);
+    }
+
+    void countRun()
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        ++done_;
+        if (progress_)
+            progress_(done_, total_);
     }
 
     const Experiment& experiment_;
     ResultsFile& results_;
     const RunCallback& progress_;
-    std::vector<std::vector<Task>> missing_; ///< of each pair
-    std::mutex mutex_;                       ///< of everything below
+    std::vector<Batch> batches_;
+    std::mutex mutex_; ///< of everything below
     size_t next_ = 0;
     int done_ = 0;
     int total_ = 0;
-    std::vector<std::string> complaints_;
+    std::set<std::string> complaints_; ///< what is wrong with a pair is said once, not for each input
     std::exception_ptr error_;
 };
 
@@ -172,6 +217,7 @@ private:
 std::vector<std::string> run(const Experiment& experiment, ResultsFile& results, const RunCallback& progress)
 {
     CV_CheckGE(experiment.workers, 1, "an experiment needs a worker or more");
+    CV_Check(experiment.inputs, experiment.inputs >= 1 && experiment.inputs <= INPUTS, "an experiment is on 1 to 5 inputs");
     makeFolder(experiment.folder + "/alignments");
     Crew crew(experiment, results, progress);
     std::vector<std::thread> threads;

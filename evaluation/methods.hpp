@@ -11,7 +11,7 @@ namespace evaluation
 
 /** @brief Aligns two photographs whose matches are known. All methods get the same matches, mesh and constants.
 @param source, target 8-bit BGR  @param params Params::method is set by the method itself
-@return as of cv::gcpw::alignPair; Timings::align holds all work after the matching */
+@return as of cv::gcpw::alignPair; Timings::align holds all work after the matching, wall time as all Timings */
 typedef cv::gcpw::Alignment (*AlignFunction)(const cv::Mat& source, const cv::Mat& target,
                                              const cv::gcpw::PairMatches& matches, const cv::gcpw::Params& params,
                                              const cv::gcpw::Progress& progress);

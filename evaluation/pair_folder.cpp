@@ -2,9 +2,7 @@
 #include "evaluation/pair_folder.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
 namespace fs = std::filesystem;
 
@@ -35,6 +33,9 @@ std::vector<fs::path> subfolders(const std::string& folder)
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (entry.is_directory())
             found.push_back(entry.path());
+    for (const fs::path& path : found)
+        if (path.filename().string().find_first_of(",\n\r|") != std::string::npos)
+            CV_Error(cv::Error::StsBadArg, "the name of the folder " + path.string() + " must not hold , or | or a line end: tables name it");
     std::sort(found.begin(), found.end(), [](const fs::path& a, const fs::path& b) { return a.filename() < b.filename(); });
     return found;
 }
@@ -51,28 +52,11 @@ std::vector<PairFiles> findPairs(const std::string& folder)
         if (pair.source.empty() || pair.target.empty())
             CV_Error(cv::Error::StsObjectNotFound,
                      path.string() + " holds no pair; it needs photographs 01.* (source) and 02.* (target)");
-        if (pair.name.find_first_of(",\n\r|") != std::string::npos)
-            CV_Error(cv::Error::StsBadArg, "the name of the pair " + path.string() + " must not hold , or |");
         pairs.push_back(pair);
     }
     if (pairs.empty())
         CV_Error(cv::Error::StsObjectNotFound, folder + " holds no pairs; it needs a folder a pair, each with 01.* and 02.*");
     return pairs;
-}
-
-cv::Mat readCapped(const std::string& path, double megapix)
-{
-    CV_CheckGT(megapix, 0.0, "photographs are scaled down to more than 0 million pixels");
-    const cv::Mat image = cv::imread(path, cv::IMREAD_COLOR);
-    if (image.empty())
-        CV_Error(cv::Error::StsObjectNotFound, path + " is not an image that OpenCV can read");
-    const double scale = std::sqrt(megapix * 1e6 / static_cast<double>(image.total()));
-    if (scale >= 1)
-        return image;
-    cv::Mat small;
-    cv::resize(image, small, cv::Size(std::max(cvRound(image.cols * scale), 1), std::max(cvRound(image.rows * scale), 1)), 0, 0,
-               cv::INTER_AREA);
-    return small;
 }
 
 void makeFolder(const std::string& path)

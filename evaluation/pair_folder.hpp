@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string>
 #include <vector>
-#include <opencv2/core.hpp>
 
 namespace evaluation
 {
@@ -18,17 +17,14 @@ struct PairFiles
     std::string target; ///< path of 02.*
 };
 
-/// The folders in a folder, sorted by name. Throws cv::Exception that names the folder if there is none.
+/// The folders in a folder, sorted by name. Throws cv::Exception that names the folder if there is none, or one whose name
+/// cannot stand in a table.
 std::vector<std::filesystem::path> subfolders(const std::string& folder);
 
 /** @brief The pairs of a folder: one folder for each pair, with a photograph 01.* (source) and one 02.* (target).
 @return sorted by name
 @throws cv::Exception that names the folder if there is none, it holds no pair, or a photograph is missing */
 std::vector<PairFiles> findPairs(const std::string& folder);
-
-/** @brief Reads a photograph as CV_8UC3, scaled down to at most `megapix` million pixels (area average).
-@throws cv::Exception that names the file if it cannot be read, or megapix is not above 0 */
-cv::Mat readCapped(const std::string& path, double megapix);
 
 /** @brief Makes a folder and its parents. @throws cv::Exception that names it */
 void makeFolder(const std::string& path);

@@ -4,13 +4,15 @@
 
 FOLDER holds results.csv. Writes FOLDER/plots/degrees.svg, the error against the degree of synthetic colour variation for
 six pairs (--pairs chooses them; else they are spread evenly over the list) and for the mean of all, and
-FOLDER/plots/pairs.svg, the error of every method on every pair as it is. Needs Debian's python3-matplotlib.
+FOLDER/plots/pairs.svg, the error of every method on every pair as it is. An error is the median over the inputs of the pair
+(doc/evaluation.md), the thin lines in pairs.svg go from the smallest to the largest. Needs Debian's python3-matplotlib.
 """
 import argparse
 import collections
 import csv
 import math
 import pathlib
+import statistics
 import sys
 
 try:
@@ -38,18 +40,27 @@ PANELS = 6
 
 
 def read(path):
-    """zncc by pair, method and degree; failed runs are left out."""
-    table = collections.defaultdict(dict)
+    """zncc of all inputs by pair, method and degree; failed runs are left out."""
+    table = collections.defaultdict(lambda: collections.defaultdict(list))
     with open(path, encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
             value = float(row["zncc"])
             if math.isfinite(value):
-                table[row["pair"]][row["method"], int(row["degree"])] = value
+                table[row["pair"]][row["method"], int(row["degree"])].append(value)
     return table
 
 
+def middle(scores):
+    return statistics.median(scores) if scores else math.nan
+
+
+def reach(scores):
+    """How far below and above the median the scores go."""
+    return (middle(scores) - min(scores), max(scores) - middle(scores)) if scores else (0, 0)
+
+
 def curve(runs, method, pixels, degrees):
-    return [runs.get((method, degree if pixels else 0), math.nan) for degree in degrees]
+    return [middle(runs.get((method, degree if pixels else 0))) for degree in degrees]
 
 
 def save(figure, path):
@@ -87,7 +98,9 @@ def draw_pairs(table, path):
     width = 0.9 / len(METHODS)
     for k, (name, label, color, _, _) in enumerate(METHODS):
         places = [i + (k - (len(METHODS) - 1) / 2) * width for i in range(len(names))]
-        axis.bar(places, [table[pair].get((name, 0), math.nan) for pair in names], width, color=color, label=label)
+        scores = [table[pair].get((name, 0)) for pair in names]
+        axis.bar(places, [middle(each) for each in scores], width, color=color, label=label,
+                 yerr=list(zip(*map(reach, scores))), error_kw={"elinewidth": 0.7})
     axis.set_xticks(range(len(names)))
     axis.set_xticklabels(names, rotation=30, ha="right")
     axis.set_ylabel("zncc, lower is better")

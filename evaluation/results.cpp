@@ -10,12 +10,13 @@ namespace evaluation
 namespace
 {
 
-const Cells COLUMNS = {"pair", "method", "degree", "status", "ncc", "zncc", "folds", "align_ms", "match_ms"};
-const size_t KEY_COLUMNS = 3;
+const Cells COLUMNS = {"pair", "method", "degree", "input", "status", "ncc", "zncc", "folds", "align_ms", "match_ms"};
+const size_t KEY_COLUMNS = 4;
 
 Cells keyCells(const RunKey& key)
 {
-    return {key.pair, key.method, cv::format("%02d", key.degree)}; // two digits, so that the order of text is that of numbers
+    // Two digits, so that the order of text is that of numbers.
+    return {key.pair, key.method, cv::format("%02d", key.degree), std::to_string(key.input)};
 }
 
 double numberOf(const Cells& row, size_t column)
@@ -56,13 +57,13 @@ RunTable ResultsFile::rows() const
     {
         const Cells& row = item.second;
         RunResult result;
-        result.status = row[3];
-        result.ncc = numberOf(row, 4);
-        result.zncc = numberOf(row, 5);
-        result.folds = static_cast<int>(numberOf(row, 6));
-        result.align_ms = numberOf(row, 7);
-        result.match_ms = numberOf(row, 8);
-        table[{row[0], row[1], static_cast<int>(numberOf(row, 2))}] = result;
+        result.status = row[4];
+        result.ncc = numberOf(row, 5);
+        result.zncc = numberOf(row, 6);
+        result.folds = static_cast<int>(numberOf(row, 7));
+        result.align_ms = numberOf(row, 8);
+        result.match_ms = numberOf(row, 9);
+        table[{row[0], row[1], static_cast<int>(numberOf(row, 2)), static_cast<int>(numberOf(row, 3))}] = result;
     }
     return table;
 }

@@ -10,16 +10,17 @@
 namespace evaluation
 {
 
-/// What one run is: which method on which pair at which degree of colour variation.
+/// What one run is: which method on which input of which pair at which degree of colour variation.
 struct RunKey
 {
     std::string pair;
     std::string method;
     int degree = 0;
+    int input = 1; ///< see jitteredInput()
 
     bool operator<(const RunKey& other) const
     {
-        return std::tie(pair, method, degree) < std::tie(other.pair, other.method, other.degree);
+        return std::tie(pair, method, degree, input) < std::tie(other.pair, other.method, other.degree, other.input);
     }
 };
 
@@ -30,8 +31,8 @@ struct RunResult
     double ncc = 0;
     double zncc = 0;
     int folds = 0;
-    double align_ms = 0; ///< processor time of all work after the matching
-    double match_ms = 0; ///< the same of features and matching, shared by all runs of the pair
+    double align_ms = 0; ///< processor time of all work after the matching, measured around the method: Timings are wall time
+    double match_ms = 0; ///< the same of features and matching, shared by all runs of the input
 };
 
 typedef std::map<RunKey, RunResult> RunTable;

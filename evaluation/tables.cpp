@@ -6,6 +6,8 @@
 #include <limits>
 #include <opencv2/core.hpp>
 #include <set>
+#include "evaluation/input_jitter.hpp"
+#include "evaluation/spread.hpp"
 
 namespace evaluation
 {
@@ -15,13 +17,21 @@ namespace
 
 typedef double RunResult::*Measure;
 
-const double NEAR_FIRST = 1.02; ///< a method within 2 % of the best of a pair shares its place
+/// A number in a table, and what decides whether it differs from another.
+struct Cell
+{
+    double value = std::numeric_limits<double>::quiet_NaN();
+    Scores scores; ///< of the same thing, on each input
+};
 
-/// The rows, asked for by method and degree.
+typedef std::vector<Cell> Row;
+
+/// The rows, asked for by method, degree and input.
 class Runs
 {
 public:
-    Runs(const RunTable& rows, const std::vector<const PairMethod*>& methods) : rows_(rows), methods_(methods)
+    Runs(const RunTable& rows, const std::vector<const PairMethod*>& methods, int inputs)
+        : rows_(rows), methods_(methods), inputs_(inputs)
     {
         for (const auto& row : rows)
         {
@@ -33,46 +43,67 @@ public:
     const std::vector<const PairMethod*>& methods() const { return methods_; }
     const std::set<std::string>& pairs() const { return pairs_; }
     const std::set<int>& degrees() const { return degrees_; }
+    int inputs() const { return inputs_; }
 
     /// Null if missing. A method that does not look at pixels is the same at every degree.
-    const RunResult* find(const std::string& pair, const PairMethod& method, int degree) const
+    const RunResult* find(const std::string& pair, const PairMethod& method, int degree, int input) const
     {
-        const auto found = rows_.find({pair, method.name, method.looks_at_pixels ? degree : 0});
+        const auto found = rows_.find({pair, method.name, method.looks_at_pixels ? degree : 0, input});
         return found == rows_.end() ? nullptr : &found->second;
     }
 
-    double value(const std::string& pair, const PairMethod& method, int degree, Measure measure) const
+    Scores scores(const std::string& pair, const PairMethod& method, int degree, Measure measure) const
     {
-        const RunResult* result = find(pair, method, degree);
-        return result ? result->*measure : std::numeric_limits<double>::quiet_NaN();
+        Scores scores;
+        for (int input = 1; input <= inputs_; ++input)
+        {
+            const RunResult* result = find(pair, method, degree, input);
+            scores.push_back(result ? result->*measure : std::numeric_limits<double>::quiet_NaN());
+        }
+        return scores;
     }
 
-    /// Pairs that every method has a score of at this degree.
+    Cell cell(const std::string& pair, const PairMethod& method, int degree, Measure measure) const
+    {
+        const Scores all = scores(pair, method, degree, measure);
+        return {median(all), all};
+    }
+
+    /// Pairs that every method has a median of at this degree.
     std::vector<std::string> completePairs(int degree) const
     {
         std::vector<std::string> complete;
         for (const std::string& pair : pairs_)
             if (std::all_of(methods_.begin(), methods_.end(), [&](const PairMethod* method)
-                            { return std::isfinite(value(pair, *method, degree, &RunResult::zncc)); }))
+                            { return std::isfinite(median(scores(pair, *method, degree, &RunResult::zncc))); }))
                 complete.push_back(pair);
         return complete;
     }
 
-    double mean(const std::vector<std::string>& pairs, const PairMethod& method, int degree, Measure measure, bool geometric) const
+    /// The mean over pairs of their medians, and for each input the mean of its scores. A geometric mean takes values above 0.
+    Cell mean(const std::vector<std::string>& pairs, const PairMethod& method, int degree, Measure measure, bool geometric) const
     {
+        const auto in = [geometric](double value) { return geometric ? std::log(std::max(value, 1e-9)) : value; };
+        const auto out = [geometric](double value) { return geometric ? std::exp(value) : value; };
+        const double count = static_cast<double>(pairs.size());
         double sum = 0;
+        Scores sums(static_cast<size_t>(inputs_), 0.0);
         for (const std::string& pair : pairs)
         {
-            const double v = value(pair, method, degree, measure);
-            sum += geometric ? std::log(std::max(v, 1e-9)) : v;
+            const Cell one = cell(pair, method, degree, measure);
+            sum += in(one.value);
+            for (size_t i = 0; i < sums.size(); ++i)
+                sums[i] += in(one.scores[i]);
         }
-        sum /= static_cast<double>(pairs.size());
-        return geometric ? std::exp(sum) : sum;
+        for (double& each : sums)
+            each = out(each / count);
+        return {out(sum / count), sums};
     }
 
 private:
     const RunTable& rows_;
     const std::vector<const PairMethod*>& methods_;
+    int inputs_;
     std::set<std::string> pairs_;
     std::set<int> degrees_;
 };
@@ -97,69 +128,103 @@ std::string headOf(const std::string& first, const std::vector<const PairMethod*
     return headOf(first, columns);
 }
 
-/// One row; the least value in bold, a dash for none.
-std::string rowOf(const std::string& name, const std::vector<double>& values, const char* form)
+/// One line; a dash for no value. In bold the least value, and those of which it is not ahead.
+std::string lineOf(const std::string& name, const Row& row, const char* form)
 {
-    double best = std::numeric_limits<double>::infinity();
-    for (double value : values)
-        best = std::isfinite(value) ? std::min(best, value) : best;
-    std::string row = "| " + name + " |";
-    for (double value : values)
+    const Cell* best = nullptr;
+    for (const Cell& cell : row)
+        if (std::isfinite(cell.value) && (!best || cell.value < best->value))
+            best = &cell;
+    std::string line = "| " + name + " |";
+    for (const Cell& cell : row)
     {
-        const std::string text = std::isfinite(value) ? cv::format(form, value) : "-";
-        row += value == best ? " **" + text + "** |" : " " + text + " |";
+        const std::string text = std::isfinite(cell.value) ? cv::format(form, cell.value) : "-";
+        const bool bold = std::isfinite(cell.value) && !isAhead(best->scores, cell.scores);
+        line += bold ? " **" + text + "** |" : " " + text + " |";
     }
-    return row + "\n";
+    return line + "\n";
+}
+
+/// A cell for each method.
+template <typename MakeCell>
+Row rowOf(const Runs& runs, MakeCell make)
+{
+    Row row;
+    for (const PairMethod* method : runs.methods())
+        row.push_back(make(*method));
+    return row;
 }
 
 std::string pairTable(const Runs& runs, Measure measure, const char* form)
 {
     std::string table = headOf("pair", runs.methods());
-    const auto valuesOf = [&](auto value)
-    {
-        std::vector<double> values;
-        for (const PairMethod* method : runs.methods())
-            values.push_back(value(*method));
-        return values;
-    };
     for (const std::string& pair : runs.pairs())
-        table += rowOf(pair, valuesOf([&](const PairMethod& method) { return runs.value(pair, method, 0, measure); }), form);
+        table += lineOf(pair, rowOf(runs, [&](const PairMethod& method) { return runs.cell(pair, method, 0, measure); }), form);
     const std::vector<std::string> complete = runs.completePairs(0);
     if (complete.empty())
         return table + "\n";
-    const std::string count = cv::format(" of %zu", complete.size());
-    table += rowOf("mean" + count,
-                   valuesOf([&](const PairMethod& method) { return runs.mean(complete, method, 0, measure, false); }), form);
-    table += rowOf("geometric mean" + count,
-                   valuesOf([&](const PairMethod& method) { return runs.mean(complete, method, 0, measure, true); }), form);
+    for (const bool geometric : {false, true})
+    {
+        const auto meanOf = [&](const PairMethod& method) { return runs.mean(complete, method, 0, measure, geometric); };
+        table += lineOf((geometric ? "geometric mean" : "mean") + cv::format(" of %zu", complete.size()), rowOf(runs, meanOf), form);
+    }
     return table + "\n";
 }
 
-/// On how many pairs GCPW leads, and who leads on the others.
+/// Largest over smallest zncc of the inputs; nothing for one input.
+std::string spreadTable(const Runs& runs)
+{
+    if (runs.inputs() < 2)
+        return std::string();
+    std::string table = headOf("pair", runs.methods());
+    for (const std::string& pair : runs.pairs())
+    {
+        table += "| " + pair + " |";
+        for (const PairMethod* method : runs.methods())
+        {
+            const double ratio = spread(runs.scores(pair, *method, 0, &RunResult::zncc));
+            table += std::isfinite(ratio) ? cv::format(" %.2f |", ratio) : " - |";
+        }
+        table += "\n";
+    }
+    return "## Photographs as they are: spread of zncc\n\nLargest over smallest of the inputs.\n\n" + table + "\n";
+}
+
+/// On how many pairs GCPW is ahead of all others, and who is level with it or ahead on the others.
 std::string placeOfGcpw(const Runs& runs)
 {
-    const PairMethod* gcpw = nullptr;
-    for (const PairMethod* method : runs.methods())
-        gcpw = method->name == std::string("gcpw") ? method : gcpw;
-    if (!gcpw)
-        return std::string();
-    int first = 0;
-    int near = 0;
-    std::string others;
+    const auto isGcpw = [](const PairMethod* method) { return method->name == std::string("gcpw"); };
+    const auto gcpw = std::find_if(runs.methods().begin(), runs.methods().end(), isGcpw);
     const std::vector<std::string> complete = runs.completePairs(0);
+    if (gcpw == runs.methods().end() || complete.empty())
+        return std::string();
+    int ahead = 0;
+    int behind = 0;
+    std::string others;
     for (const std::string& pair : complete)
     {
-        const PairMethod* best = gcpw;
+        const Cell own = runs.cell(pair, **gcpw, 0, &RunResult::zncc);
+        std::string level;
+        std::string leaders;
         for (const PairMethod* method : runs.methods())
-            if (runs.value(pair, *method, 0, &RunResult::zncc) < runs.value(pair, *best, 0, &RunResult::zncc))
-                best = method;
-        const double ratio = runs.value(pair, *gcpw, 0, &RunResult::zncc) / runs.value(pair, *best, 0, &RunResult::zncc);
-        first += best == gcpw ? 1 : 0;
-        near += ratio <= NEAR_FIRST ? 1 : 0;
-        if (best != gcpw)
-            others += cv::format("- %s: %s leads, GCPW is %.1f %% behind\n", pair.c_str(), best->label, 100 * (ratio - 1));
+        {
+            const Cell other = runs.cell(pair, *method, 0, &RunResult::zncc);
+            if (isAhead(other.scores, own.scores))
+                leaders += (leaders.empty() ? "" : ", ") +
+                           cv::format("%s (by %.0f %%)", method->label, 100 * (own.value / other.value - 1));
+            else if (!isGcpw(method) && !isAhead(own.scores, other.scores))
+                level += (level.empty() ? "" : ", ") + std::string(method->label);
+        }
+        ahead += leaders.empty() && level.empty() ? 1 : 0;
+        behind += leaders.empty() ? 0 : 1;
+        if (!leaders.empty())
+            others += "- " + pair + ": behind " + leaders + "\n";
+        else if (!level.empty())
+            others += "- " + pair + ": level with " + level + "\n";
     }
-    return cv::format("GCPW is first on %d of %zu pairs, and first or within 2 %% of it on %d.\n\n", first, complete.size(), near) +
+    const int count = static_cast<int>(complete.size());
+    return cv::format("GCPW is ahead of all others on %d of %d pairs, level with the best on %d, behind on %d.\n\n", ahead, count,
+                      count - ahead - behind, behind) +
            others + (others.empty() ? "" : "\n");
 }
 
@@ -174,11 +239,15 @@ std::string costTable(const Runs& runs)
         std::vector<double> times;
         for (const std::string& pair : runs.pairs())
             for (int degree : runs.degrees())
-                if (const RunResult* result = degree == 0 || method->looks_at_pixels ? runs.find(pair, *method, degree) : nullptr)
+                for (int input = 1; input <= runs.inputs(); ++input)
                 {
-                    folds += result->folds;
-                    folded_runs += result->folds > 0 ? 1 : 0;
-                    times.push_back(result->align_ms);
+                    const bool own = degree == 0 || method->looks_at_pixels; // else it is the row of degree 0
+                    if (const RunResult* result = own ? runs.find(pair, *method, degree, input) : nullptr)
+                    {
+                        folds += result->folds;
+                        folded_runs += result->folds > 0 ? 1 : 0;
+                        times.push_back(result->align_ms);
+                    }
                 }
         std::sort(times.begin(), times.end());
         table += cv::format("| %s | %zu | %d | %d | %.0f | %.0f |\n", method->label, times.size(), folds, folded_runs,
@@ -187,28 +256,38 @@ std::string costTable(const Runs& runs)
     return table + "\n";
 }
 
+/// What the numbers are, and when one counts as less than another.
+std::string legend(int inputs)
+{
+    return cv::format("zncc is 100 times the RMS, over the 5 x 5 px windows with texture in the overlap, of one minus the zero-mean\n"
+                      "normalised correlation of the two images; ncc takes all windows and leaves their means. Lower is better.\n\n"
+                      "Each score of a pair is the median over %d input%s (doc/evaluation.md). A method is ahead of another where it is\n"
+                      "better on every input. In bold: the least of a row, and all of which it is not ahead.\n\n",
+                      inputs, inputs == 1 ? "" : "s");
+}
+
 std::string degreeTable(const Runs& runs)
 {
     std::string table = headOf("degree", runs.methods());
     for (int degree : runs.degrees())
     {
         const std::vector<std::string> complete = runs.completePairs(degree);
-        std::vector<double> means;
-        for (const PairMethod* method : runs.methods())
-            means.push_back(complete.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                             : runs.mean(complete, *method, degree, &RunResult::zncc, false));
-        table += rowOf(std::to_string(degree), means, "%.2f");
+        const auto meanOf = [&](const PairMethod& method)
+        { return complete.empty() ? Cell() : runs.mean(complete, method, degree, &RunResult::zncc, false); };
+        table += lineOf(std::to_string(degree), rowOf(runs, meanOf), "%.2f");
     }
     return table + "\n";
 }
 
 } // namespace
 
-std::string markdownPage(const RunTable& rows, const std::vector<const PairMethod*>& methods)
+std::string markdownPage(const RunTable& rows, const std::vector<const PairMethod*>& methods, int inputs)
 {
-    const Runs runs(rows, methods);
-    std::string page = "# Evaluation of pairs\n\nLower is better; the least of a row is bold.\n\n";
+    CV_Check(inputs, inputs >= 1 && inputs <= INPUTS, "a page is of 1 to 5 inputs");
+    const Runs runs(rows, methods, inputs);
+    std::string page = "# Evaluation of pairs\n\n" + legend(inputs);
     page += "## Photographs as they are: zncc\n\n" + pairTable(runs, &RunResult::zncc, "%.1f") + placeOfGcpw(runs);
+    page += spreadTable(runs);
     page += "## Photographs as they are: ncc\n\n" + pairTable(runs, &RunResult::ncc, "%.2f");
     if (runs.degrees().size() > 1)
         page += "## Synthetic colour variation: mean zncc by degree\n\n" + degreeTable(runs);

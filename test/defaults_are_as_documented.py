@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Each member of Params says its default in words, beside its declaration; the constructor must set the same, and all.
+The table behind Params::names() must have the numeric members in the order of their declaration.
 
 Usage: defaults_are_as_documented.py REPOSITORY"""
 import pathlib
@@ -11,6 +12,7 @@ SOURCE = "modules/gcpw/src/pipeline/params.cpp"
 # The comment stands before the declaration or behind it on its line, and closes with the default.
 MEMBER = re.compile(r"((?:^ *///[^\n]*\n)*)^ *CV_PROP_RW \w+ (\w+);([^\n]*)", re.MULTILINE)
 DEFAULT = re.compile(r"\bdefault ([-\w.]+?)\.?$")
+NAMED = re.compile(r'^    \{"(\w+)", ', re.MULTILINE)
 ASSIGNMENT = re.compile(r"^    (\w+) = (?:Method::)?([-\w.]+);", re.MULTILINE)
 
 
@@ -20,10 +22,13 @@ def main(arguments):
     for before, name, behind in MEMBER.findall((repository / HEADER).read_text(encoding="utf-8")):
         said = DEFAULT.search((before + behind).rstrip())
         documented[name] = said.group(1) if said else "not said"
-    constructor = (repository / SOURCE).read_text(encoding="utf-8").split("Params::Params()")[1].split("\n}\n")[0]
+    source = (repository / SOURCE).read_text(encoding="utf-8")
+    constructor = source.split("Params::Params()")[1].split("\n}\n")[0]
     set_there = dict(ASSIGNMENT.findall(constructor))
     faults = [f"{name}: {documented.get(name, 'no member')} in the header, {set_there.get(name, 'not set')} in the constructor"
               for name in sorted(documented.keys() | set_there.keys()) if documented.get(name) != set_there.get(name)]
+    if ["method", *NAMED.findall(source)] != list(documented):
+        faults.append(f"names() gives {', '.join(NAMED.findall(source))}; declared are {', '.join(documented)}")
     for fault in faults:
         print(fault)
     print(f"{len(documented)} members, {len(faults)} faults")

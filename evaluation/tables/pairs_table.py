@@ -2,19 +2,21 @@
 # Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 """Prints how well each method aligns every pair of photographs in a folder.
 
-    evaluation/tables/pairs_table.py PAIRS [--program build/release/apps/gcpw_pair] [--methods global,cpw,dfw,mfw,gcpw]
+    evaluation/tables/pairs_table.py PAIRS [--program build/release/apps/gcpw_pair] [--methods global,cpw,dfw,mfw,gcpw] [--inputs 5]
                         [--megapix 0.48] [--out build/pairs] [--set name=value,..] [--paper] [--quoted FILE] [--jobs 1]
 
-PAIRS holds a folder a pair, each with 01.* (source) and 02.* (target). Both are scaled down to --megapix, stitched with
-each method, and the dumped images are scored: zncc of the overlap, lower is better. Needs Debian's python3-opencv.
+PAIRS holds a folder a pair, each with 01.* (source) and 02.* (target). gcpw_evaluate, which lies beside --program, brings both
+to the first --inputs of five inputs of --megapix that differ by about a pixel (doc/evaluation.md). They are stitched with each
+method and the dumped images are scored: zncc of the overlap, lower is better. A cell is the median over the inputs and their
+spread, largest over smallest; 1 input is a quick look. Needs Debian's python3-opencv.
 --quoted FILE: lines `pair value` of a method that is not ours, for comparison. Pictures stay in --out.
 """
 import argparse
 import concurrent.futures
 import json
 import math
-import os
 import pathlib
+import statistics
 import subprocess
 import sys
 
@@ -38,25 +40,11 @@ def score(folder):
     return float(100 * np.sqrt((miss ** 2).mean())) if miss.size else math.nan
 
 
-def capped(path, out, megapix):
-    image = cv2.imread(str(path))
-    scale = min(1.0, math.sqrt(megapix * 1e6 / (image.shape[0] * image.shape[1])))
-    if scale < 1:
-        size = (round(image.shape[1] * scale), round(image.shape[0] * scale))
-        image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
-    cv2.imwrite(str(out), image)
-
-
-def run(options, pair, method):
-    """Returns (zncc, folds, align in ms), or the message of a failure."""
-    out = options.out / pair.name / method
+def run(options, pair, method, number):
+    """Returns (zncc, folds, align in ms of wall time) on one input, or the message of a failure."""
+    out = options.out / pair / str(number) / method
     out.mkdir(parents=True, exist_ok=True)
-    photos = []
-    for number in ("01", "02"):
-        small = out.parent / (number + ".png")
-        if not small.exists():
-            capped(next(pair.glob(number + ".*")), small, options.megapix)
-        photos.append(str(small))
+    photos = [str(options.out / "inputs" / pair / str(number) / name) for name in ("01.png", "02.png")]
     command = [options.program, *photos, "--method=" + method, f"--output={out}/pano.png", f"--dump={out}",
                f"--report={out}/report.json", "--threads=1"]
     command += ["--set=" + options.set] if options.set else []
@@ -68,11 +56,26 @@ def run(options, pair, method):
     return score(out), report["folds"], report["timings_ms"]["align"]
 
 
+def write_inputs(options):
+    """Writes the inputs of all pairs; wrong use stops with the message of gcpw_evaluate."""
+    command = [str(pathlib.Path(options.program).with_name("gcpw_evaluate")), f"--pairs={options.pairs}", f"--inputs={options.inputs}",
+               f"--max_megapix={options.megapix}", f"--write_inputs={options.out / 'inputs'}"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode > 1:
+        sys.exit(done.stderr.strip())
+    print(done.stderr, end="", file=sys.stderr) # a pair that cannot be read is told, the others go on
+
+
+def geometric_mean(values):
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pairs", type=pathlib.Path)
     parser.add_argument("--program", default="build/release/apps/gcpw_pair")
     parser.add_argument("--methods", default="global,cpw,dfw,mfw,gcpw")
+    parser.add_argument("--inputs", type=int, choices=range(1, 6), default=5)
     parser.add_argument("--megapix", type=float, default=0.48)
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/pairs"))
     parser.add_argument("--set", default="")
@@ -80,35 +83,41 @@ def main():
     parser.add_argument("--quoted", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
-    pairs = sorted(p for p in options.pairs.iterdir() if p.is_dir())
-    if not pairs:
-        sys.exit(f"{options.pairs} holds no pairs")
+    write_inputs(options)
+    pairs = sorted(folder.name for folder in options.pairs.iterdir() if folder.is_dir())
     methods = options.methods.split(",")
     quoted = {}
     if options.quoted:
         quoted = {line.split()[0]: float(line.split()[1]) for line in options.quoted.read_text().splitlines() if line.strip()}
-    columns = methods + (["quoted"] if quoted else []) + ["align ms"]
+    columns = methods + (["quoted"] if quoted else []) + ["align ms (wall)"]
     print("| pair | " + " | ".join(columns) + " |\n|" + "---|" * (len(columns) + 1))
-    logs = {method: [] for method in methods}
+    medians = {method: [] for method in methods}
     folds, failures, slowest = 0, [], 0.0
+    numbers = range(1, options.inputs + 1)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        rows = pool.map(lambda pair: [run(options, pair, method) for method in methods], pairs)
-        for pair, results in zip(pairs, rows):
+        rows = {pair: {method: [pool.submit(run, options, pair, method, number) for number in numbers] for method in methods}
+                for pair in pairs}
+        for pair in pairs:
             cells, milliseconds = [], math.nan
-            for method, result in zip(methods, results):
-                if isinstance(result, str):
-                    failures.append(f"{pair.name} {method}: {result}")
+            for method in methods:
+                results = [future.result() for future in rows[pair][method]]
+                failed = [f"{pair} {method}, input {number}: {result}"
+                          for number, result in zip(numbers, results) if isinstance(result, str)]
+                failures += failed
+                folds += sum(result[1] for result in results if not isinstance(result, str))
+                if failed:
                     cells.append("failed")
                     continue
-                cells.append(f"{result[0]:.1f}")
-                logs[method].append(math.log(result[0]))
-                folds += result[1]
-                milliseconds = result[2]
-            slowest = max(slowest, milliseconds)
-            cells += [f"{quoted[pair.name]:.1f}" if pair.name in quoted else ""] if quoted else []
-            print(f"| {pair.name} | " + " | ".join(cells) + f" | {milliseconds:.0f} |", flush=True)
-    means = [f"**{math.exp(sum(logs[m]) / len(logs[m])):.2f}**" if logs[m] else "" for m in methods]
-    means += [f"**{math.exp(sum(map(math.log, quoted.values())) / len(quoted)):.2f}**"] if quoted else []
+                scores = [result[0] for result in results]
+                middle = statistics.median(scores)
+                medians[method].append(middle)
+                cells.append(f"{middle:.1f}" + (f" (x {max(scores) / min(scores):.2f})" if options.inputs > 1 else ""))
+                milliseconds = statistics.median(result[2] for result in results)
+                slowest = max(slowest, *(result[2] for result in results), 0.0)
+            cells += [f"{quoted[pair]:.1f}" if pair in quoted else ""] if quoted else []
+            print(f"| {pair} | " + " | ".join(cells) + f" | {milliseconds:.0f} |", flush=True)
+    means = [f"**{geometric_mean(medians[m]):.2f}**" if medians[m] else "" for m in methods]
+    means += [f"**{geometric_mean(list(quoted.values())):.2f}**"] if quoted else []
     print("| **geometric mean** | " + " | ".join(means) + f" | max {slowest:.0f} |")
     print(f"\nfolded quads: {folds}")
     for failure in failures:

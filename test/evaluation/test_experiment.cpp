@@ -35,6 +35,7 @@ protected:
         experiment_.pairs = evaluation::findPairs(folder_.path("pairs"));
         experiment_.methods = {evaluation::findPairMethod("dfw"), evaluation::findPairMethod("gcpw")};
         experiment_.degrees = {0, 16};
+        experiment_.inputs = 1;
     }
 
     /// Runs what is missing in a folder; returns how many runs that were.
@@ -84,19 +85,55 @@ TEST_F(Evaluation_Experiment, an_interrupted_one_goes_on_where_it_was)
     EXPECT_EQ(run("whole"), 0);
 }
 
-TEST_F(Evaluation_Experiment, a_missing_photograph_is_named)
+TEST_F(Evaluation_Experiment, each_input_is_a_run_of_its_own_and_the_first_is_as_it_is_alone)
 {
-    folder_.write("pairs/two/01.png", "no picture");
+    experiment_.degrees = {0};
+    EXPECT_EQ(run("given"), 4);
+    const RunTable given = rows_;
+    experiment_.inputs = 3;
+    EXPECT_EQ(run("three"), 12);
+    for (const auto& row : given)
+        EXPECT_EQ(row.second.zncc, rows_.at(row.first).zncc);
+    for (const int input : {2, 3})
+    {
+        const double zncc = rows_.at({"one", "gcpw", 0, input}).zncc;
+        EXPECT_TRUE(std::isfinite(zncc));
+        EXPECT_NE(zncc, rows_.at({"one", "gcpw", 0, 1}).zncc) << input;
+    }
+    EXPECT_EQ(run("given"), 8) << "further inputs are added to those that are there";
+}
+
+TEST_F(Evaluation_Experiment, inputs_that_there_are_not_are_refused)
+{
+    for (const int inputs : {0, 6})
+    {
+        experiment_.inputs = inputs;
+        EXPECT_THROW(run("none"), cv::Exception) << inputs;
+    }
+}
+
+TEST_F(Evaluation_Experiment, a_photograph_that_cannot_be_read_is_named_once_and_the_other_pairs_go_on)
+{
+    const std::string photograph = folder_.path("pairs/one/01.png");
+    std::filesystem::rename(photograph, folder_.path("kept.png"));
+    folder_.write("pairs/one/01.png", "no picture");
     experiment_.workers = 2;
-    try
-    {
-        run("broken");
-        FAIL();
-    }
-    catch (const cv::Exception& error)
-    {
-        EXPECT_NE(error.err.find("01.png"), std::string::npos) << error.err;
-    }
+    experiment_.inputs = 2;
+    experiment_.degrees = {0};
+    experiment_.folder = folder_.path("broken");
+    ResultsFile results(experiment_.folder, {}, false);
+    int last = 0;
+    const std::vector<std::string> complaints = evaluation::run(experiment_, results, [&](int done, int) { last = done; });
+    ASSERT_EQ(complaints.size(), 1u);
+    EXPECT_NE(complaints[0].find("01.png"), std::string::npos) << complaints[0];
+    EXPECT_EQ(last, 8);
+    EXPECT_EQ(results.rows().size(), 4u);
+    EXPECT_TRUE(results.has({"two", "gcpw", 0, 2}));
+
+    // Mended, it is tried again.
+    std::filesystem::rename(folder_.path("kept.png"), photograph);
+    EXPECT_TRUE(evaluation::run(experiment_, results, evaluation::RunCallback()).empty());
+    EXPECT_EQ(results.rows().size(), 8u);
 }
 
 TEST_F(Evaluation_Experiment, photographs_that_do_not_match_are_rows_without_scores)
@@ -152,15 +189,15 @@ TEST(Evaluation_PairFolder, a_folder_without_pairs_is_refused_with_its_name)
     EXPECT_EQ(evaluation::findPairs(folder.path()).size(), 1u);
 }
 
-TEST(Evaluation_PairFolder, photographs_are_scaled_down_but_never_up)
+TEST(Evaluation_PairFolder, a_name_that_cannot_stand_in_a_table_is_refused)
 {
-    const ScratchFolder folder;
-    cv::imwrite(folder.path("a.png"), cv::Mat(300, 400, CV_8UC1, cv::Scalar(7)));
-    EXPECT_EQ(evaluation::readCapped(folder.path("a.png"), 1).size(), cv::Size(400, 300));
-    EXPECT_EQ(evaluation::readCapped(folder.path("a.png"), 0.03).size(), cv::Size(200, 150));
-    EXPECT_EQ(evaluation::readCapped(folder.path("a.png"), 1).type(), CV_8UC3);
-    EXPECT_THROW(evaluation::readCapped(folder.path("a.png"), 0), cv::Exception);
-    EXPECT_THROW(evaluation::readCapped(folder.path("b.png"), 1), cv::Exception);
+    for (const char* name : {"a,b", "a|b", "a\nb"})
+    {
+        const ScratchFolder folder;
+        folder.write(std::string(name) + "/01.png", "");
+        folder.write(std::string(name) + "/02.png", "");
+        EXPECT_THROW(evaluation::findPairs(folder.path()), cv::Exception) << name;
+    }
 }
 
 } // namespace

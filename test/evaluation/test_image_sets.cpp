@@ -125,6 +125,29 @@ TEST(Evaluation_ImageSets, a_set_is_a_folder_of_two_images_or_more)
     EXPECT_LT(sets[0].images[0], sets[0].images[1]);
 }
 
+TEST(Evaluation_ImageSets, a_name_that_cannot_stand_in_a_table_is_refused)
+{
+    const cv::Mat image(20, 20, CV_8UC3, cv::Scalar::all(9));
+    for (const char* name : {"a,b", "a|b", "a\nb"})
+    {
+        const ScratchFolder folder;
+        for (const char* file : {"/01.png", "/02.png"})
+        {
+            folder.write(std::string(name) + file, "");
+            cv::imwrite(folder.path(std::string(name) + file), image);
+        }
+        try
+        {
+            evaluation::findSets(folder.path());
+            FAIL() << name;
+        }
+        catch (const cv::Exception& error)
+        {
+            EXPECT_NE(error.err.find("must not hold , or |"), std::string::npos) << error.err;
+        }
+    }
+}
+
 TEST(Evaluation_ChildProcess, exit_code_time_and_memory_are_known)
 {
     EXPECT_EQ(evaluation::runChild("/bin/sh", {"-c", "exit 3"}).exit_code, 3);

@@ -67,7 +67,7 @@ TEST(Evaluation_Results, a_row_is_in_the_file_as_soon_as_it_is_appended)
     const ScratchFolder folder;
     ResultsFile results(folder.path(), OPTIONS, false);
     results.append({"a", "gcpw", 0}, scored(7));
-    EXPECT_NE(folder.read("results.csv").find("a,gcpw,00,ok,0.700000,7.000000,2,12.5,0.0\n"), std::string::npos);
+    EXPECT_NE(folder.read("results.csv").find("a,gcpw,00,1,ok,0.700000,7.000000,2,12.5,0.0\n"), std::string::npos);
 }
 
 TEST(Evaluation_Results, a_row_cut_by_an_interruption_is_made_again_and_the_table_is_the_same)
@@ -132,7 +132,7 @@ TEST(Evaluation_Results, a_file_that_is_no_table_is_refused_with_its_line)
     const ScratchFolder folder;
     { const ResultsFile results(folder.path(), OPTIONS, false); }
     const std::string head = folder.read("results.csv");
-    folder.write("results.csv", head + "no row\na,gcpw,00,ok,1,2,0,1,1\n");
+    folder.write("results.csv", head + "no row\na,gcpw,00,1,ok,1,2,0,1,1\n");
     EXPECT_NE(complaint(folder.path(), OPTIONS).find("line 2"), std::string::npos);
     folder.write("results.csv", "something else\n");
     EXPECT_NE(complaint(folder.path(), OPTIONS).find("line 1"), std::string::npos);

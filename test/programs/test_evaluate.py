@@ -36,7 +36,7 @@ def main():
         (pair / "source.png").rename(pair / "01.png")
         (pair / "target.png").rename(pair / "02.png")
 
-    evaluate("--degrees=0,16", "--workers=2")
+    evaluate("--degrees=0,16", "--inputs=1", "--workers=2")
     whole = rows()
     assert len(whole) == 2 * (4 + 4 * 2), whole
     assert all(row["status"] == "ok" for row in whole), whole
@@ -50,15 +50,32 @@ def main():
     # Interrupted after a few rows and a half, with another number of workers: the same table.
     text = (OUT / "results.csv").read_text(encoding="utf-8")
     (OUT / "results.csv").write_text(text[: len(text) // 2], encoding="utf-8")
-    evaluate("--degrees=0,16", "--workers=1", "--no_sheets")
+    evaluate("--degrees=0,16", "--inputs=1", "--workers=1", "--no_sheets")
     assert rows() == whole
 
-    # More degrees are added to what is there; other options are not mixed with it.
-    evaluate("--degrees=0,8,16", "--methods=gcpw", "--no_sheets")
+    # More degrees and inputs are added to what is there; other options are not mixed with it.
+    evaluate("--degrees=0,8,16", "--inputs=1", "--methods=gcpw", "--no_sheets")
     assert len(rows()) == len(whole) + 2
+    evaluate("--degrees=0", "--methods=global", "--no_sheets")
+    assert len(rows()) == len(whole) + 2 + 2 * 4
+    report = (OUT / "report.md").read_text(encoding="utf-8")
+    assert "the median over 5 inputs" in report and "spread of zncc" in report, report
     assert "meshCols was 32, is 16" in evaluate("--set=meshCols=16", code=2)
-    evaluate("--set=meshCols=16", "--degrees=0", "--methods=global", "--fresh", "--no_sheets")
+    evaluate("--set=meshCols=16", "--degrees=0", "--inputs=1", "--methods=global", "--fresh", "--no_sheets")
     assert len(rows()) == 2
+
+    # A photograph that cannot be read is told, and the other pair goes on.
+    shutil.copytree(SCRATCH / "pairs" / "a", SCRATCH / "pairs" / "c")
+    (SCRATCH / "pairs" / "c" / "01.png").write_text("no picture", encoding="utf-8")
+    said = evaluate("--set=meshCols=16", "--degrees=0", "--inputs=2", "--methods=global,gcpw", code=1)
+    assert said.count("c/01.png is not an image") == 2, said # the runs, and the sheet
+    assert len(rows()) == 2 * 2 * 2
+    shutil.rmtree(SCRATCH / "pairs" / "c")
+
+    # The inputs can be had as files, for other programs.
+    evaluate(f"--write_inputs={SCRATCH}/inputs", "--inputs=2")
+    assert sorted(path.relative_to(SCRATCH / "inputs").as_posix() for path in (SCRATCH / "inputs").rglob("*.png")) == \
+        [f"{pair}/{number}/{photo}.png" for pair in "ab" for number in "12" for photo in ("01", "02")]
 
     # A set is stitched by both programs, and not again.
     street = SCRATCH / "sets" / "street"
@@ -74,6 +91,8 @@ def main():
 
     assert "unknown method 'sift'" in evaluate("--methods=sift", code=2)
     assert "--degrees takes" in evaluate("--degrees=0..17", code=2)
+    assert "--inputs lies in 1..5" in evaluate("--inputs=6", code=2)
+    assert "--write_inputs is for pairs" in evaluate("--write_inputs=x", sets, code=2, pairs=False)
     assert "no folder" in evaluate(f"--pairs={SCRATCH}/none", code=2, pairs=False)
     assert "photographs are needed" in evaluate(code=2, pairs=False)
     return 0

@@ -10,7 +10,7 @@ from harness import NO_ALIGNMENT, main
 DUMP = {"source.png": 3, "source_mask.png": 1, "target.png": 3, "target_mask.png": 1, "source_corrected.png": 3, "mesh.png": 3}
 REPORT = {"status", "message", "method", "points", "lines", "folds", "max_displacement_px", "gain_min", "gain_max", "levels", "scores",
           "timings_ms"}
-LEVEL = {"scale", "iterations", "converged", "energy_start", "energy_end"}
+LEVEL = {"scale", "iterations", "stop", "energy_start", "energy_end"}
 ENERGY = {"photometric", "points", "lines", "anchors", "similarity", "color", "total"}
 TIMINGS = {"features", "homography", "align", "render", "total"}
 QUICK = ("--work_megapix=0.15", "--set=featureMegapix=0.15")

@@ -3,7 +3,12 @@
 
 #include <cstdio>
 #include <fstream>
+#include "refusal.hpp"
 #include "rig_scene.hpp"
+#ifndef _WIN32
+#include <csignal>
+#include <sys/resource.h>
+#endif
 
 namespace opencv_test { namespace {
 
@@ -83,6 +88,160 @@ TEST(Gcpw_AlignmentIo, a_file_of_another_kind_or_a_damaged_one_is_refused)
     EXPECT_THROW(gcpw::Alignment::load(path), cv::Exception);
     std::remove(path.c_str());
 }
+
+std::string textOf(const std::string& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    return std::string((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+}
+
+/// Loads a rig's file in which `from` was replaced.
+void expectDamaged(const std::string& text, const std::string& from, const std::string& to, const std::string& part)
+{
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    std::string damaged = text;
+    damaged.replace(at, from.size(), to);
+    const std::string path = cv::tempfile(".yml");
+    std::ofstream(path, std::ios::binary) << damaged;
+    expectRefused([&] { gcpw::Rig::load(path); }, part);
+    expectRefused([&] { gcpw::Rig::load(path); }, path);
+    std::remove(path.c_str());
+}
+
+TEST(Gcpw_AlignmentIo, values_that_no_rig_has_are_refused)
+{
+    const std::string path = cv::tempfile(".yml");
+    gcpw::Rig rig = irregularRig();
+    rig.turns = {0, 0};
+    rig.save(path);
+    const std::string text = textOf(path);
+    std::remove(path.c_str());
+    expectDamaged(text, "status: 0", "status: 77", "status is 77");
+    expectDamaged(text, "status: 0", "status: -1", "status is -1");
+    expectDamaged(text, "turns: [ 0., 0. ]", "turns: [ .Nan, 0. ]", "turns[0]");
+    expectDamaged(text, "turns: [ 0., 0. ]", "turns: [ 1e300, 0. ]", "turns[0]");
+    expectDamaged(text, "turns: [ 0., 0. ]", "turns: [ 0. ]", "turns");
+    expectDamaged(text, "component: [ 2, 5 ]", "component: [ 2, 2 ]", "component[1]");
+    expectDamaged(text, "component: [ 2, 5 ]", "component: [ 0, 1, 0 ]", "component");
+    expectDamaged(text, "component: [ 2, 5 ]", "component: [ 2, -5 ]", "component[1]");
+    expectDamaged(text, "scale: 420.", "scale: -420.", "scale");
+    expectDamaged(text, "scale: 420.", "scale: .Inf", "scale");
+    expectDamaged(text, "focal: 420.", "focal: 0.", "focal");
+    expectDamaged(text, "aspect: 1.", "aspect: 0.", "aspect");
+    expectDamaged(text, "canvas_scale: [ 1., 1. ]", "canvas_scale: [ .Inf, 1. ]", "canvas scale");
+    expectDamaged(text, "canvas_scale: [ 1., 1. ]", "canvas_scale: [ 1. ]", "canvas_scale");
+}
+
+TEST(Gcpw_AlignmentIo, a_matrix_is_refused_by_its_header)
+{
+    const std::string path = cv::tempfile(".yml");
+    irregularRig().save(path);
+    const std::string text = textOf(path);
+    std::remove(path.c_str());
+    for (const char* rows : {"rows: 2147483647", "rows: 258", "rows: -3"})
+        expectDamaged(text, "rows: 7", rows, "mesh is a matrix of");
+    expectDamaged(text, "cols: 9", "cols: 1000000000", "mesh is a matrix of");
+    expectDamaged(text, "rows: 3", "rows: 2147483647", "R of a camera is a matrix of");
+    expectDamaged(text, "dt: \"2d\"", "dt: \"512d\"", "mesh is a matrix of");
+    expectDamaged(text, "dt: \"6f\"", "dt: \"6d\"", "color is a matrix of");
+}
+
+/// Names of a folder's files that start with `stem`.
+std::vector<std::string> filesLike(const std::string& stem)
+{
+    std::vector<String> found;
+    cv::glob(stem + "*", found, false);
+    return std::vector<std::string>(found.begin(), found.end());
+}
+
+TEST(Gcpw_AlignmentIo, saving_leaves_the_one_file_and_replaces_an_older_one)
+{
+    const std::string stem = cv::tempfile("_model");
+    const gcpw::Rig rig = irregularRig();
+    for (const char* ending : {".yml", ".json.gz"})
+    {
+        std::ofstream(stem + ending) << "older";
+        rig.save(stem + ending);
+        EXPECT_TRUE(gcpw::Rig::load(stem + ending).usable());
+        EXPECT_EQ(filesLike(stem).size(), 1u) << ending;
+        std::remove((stem + ending).c_str());
+    }
+}
+
+TEST(Gcpw_AlignmentIo, a_neighbour_of_any_name_is_not_touched)
+{
+    const std::string stem = cv::tempfile("_model");
+    std::ofstream(stem + ".part0.yml") << "mine";
+    irregularRig().save(stem + ".yml");
+    EXPECT_EQ(textOf(stem + ".part0.yml"), "mine");
+    EXPECT_EQ(filesLike(stem).size(), 2u);
+    std::remove((stem + ".part0.yml").c_str());
+    std::remove((stem + ".yml").c_str());
+}
+
+TEST(Gcpw_AlignmentIo, a_file_that_cannot_be_written_is_an_error)
+{
+    for (const char* ending : {".yml", ".json", ".xml", ".yml.gz"})
+    {
+        const std::string path = std::string("no_such_folder/model") + ending;
+        expectRefused([&] { irregularRig().alignment.save(path); }, path);
+        expectRefused([&] { irregularRig().save(path); }, path);
+    }
+}
+
+#ifndef _WIN32
+/// While it lives, no file may grow beyond some bytes: what a full disk does.
+class FullDisk
+{
+public:
+    explicit FullDisk(rlim_t bytes)
+    {
+        handler_ = std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk()
+    {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+private:
+    rlimit before_{};
+    void (*handler_)(int) = nullptr;
+};
+
+TEST(Gcpw_AlignmentIo, a_full_disk_is_an_error_and_keeps_the_older_file)
+{
+    const gcpw::Rig rig = irregularRig();
+    for (const char* ending : {".yml", ".json", ".xml", ".yml.gz"})
+    {
+        const std::string stem = cv::tempfile("_model");
+        std::ofstream(stem + ending) << "older";
+        for (const bool whole : {false, true})
+        {
+            std::string refusal;
+            {
+                const FullDisk full(whole ? 2048 : 512);
+                refusal = refusalOf([&]
+                {
+                    if (whole)
+                        rig.save(stem + ending);
+                    else
+                        rig.alignment.save(stem + ending);
+                });
+            }
+            EXPECT_NE(refusal.find(stem + ending), std::string::npos) << ending << refusal;
+            EXPECT_EQ(textOf(stem + ending), "older") << ending;
+            EXPECT_EQ(filesLike(stem).size(), 1u) << ending;
+        }
+        std::remove((stem + ending).c_str());
+    }
+}
+#endif
 
 TEST(Gcpw_AlignmentIo, another_camera_does_not_fit)
 {

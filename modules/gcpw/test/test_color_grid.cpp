@@ -125,4 +125,18 @@ TEST(Gcpw_ColorGrid, mixing_goes_straight_from_one_to_the_other)
     }
 }
 
+TEST(Gcpw_ColorGrid, reading_changes_nothing)
+{
+    ColorGrid grid(LATTICE);
+    double sum = 0;
+    for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
+        sum += grid.quad(cell)[0].gain;
+    EXPECT_EQ(sum, LATTICE.cellCount());
+    EXPECT_TRUE(grid.isIdentity());
+    grid.quad(11)[2].bias = 1e-9;
+    EXPECT_FALSE(grid.isIdentity());
+    grid.quad(11)[2].bias = 0;
+    EXPECT_TRUE(grid.isIdentity());
+}
+
 }} // namespace

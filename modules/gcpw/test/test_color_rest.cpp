@@ -59,6 +59,20 @@ TEST(Gcpw_ColorRest, exposures_along_a_chain_are_found)
     }
 }
 
+TEST(Gcpw_ColorRest, an_image_that_is_held_keeps_its_own_colors_to_the_last_bit)
+{
+    const Problem problem = chain(true);
+    const std::vector<ColorComparison> comparisons = compareColors(termsOf(problem), roughStates(problem));
+    const ColorGrid::Quad first = estimateExposures(comparisons, {true, false, false})[0];
+    for (const ChannelAffine& map : first)
+    {
+        EXPECT_EQ(map.gain, 1);
+        EXPECT_EQ(map.bias, 0);
+    }
+    for (const ColorGrid::Quad& quad : estimateExposures(comparisons, {true, true, true}))
+        EXPECT_EQ(quad[0].gain, 1);
+}
+
 TEST(Gcpw_ColorRest, where_no_image_is_held_exposures_are_one_on_average)
 {
     const Problem problem = chain(false);

@@ -1,7 +1,9 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
+#include <limits>
 #include "color/color_correction.hpp"
+#include "refusal.hpp"
 #include "rig_scene.hpp"
 
 namespace opencv_test { namespace {
@@ -305,6 +307,36 @@ TEST(Gcpw_Compensator, images_that_do_not_overlap_stay_as_they_are)
     pair.images[1].copyTo(picture);
     compensator.apply(1, pair.corners[1], picture, noArray());
     EXPECT_LE(cv::norm(picture, pair.images[1].getMat(ACCESS_READ), NORM_INF), 1);
+}
+
+/// A colour grid of ones.
+Mat gridOf(int rows, int cols)
+{
+    return Mat(Mat::ones(rows, 6 * cols, CV_32F)).reshape(6);
+}
+
+TEST(Gcpw_Compensator, gains_that_are_no_colour_grid_are_refused_and_change_nothing)
+{
+    gcpw::GcpwCompensator compensator;
+    const Mat good = gridOf(3, 4);
+    std::vector<Mat> gains(2, good);
+    compensator.setMatGains(gains);
+    const int sizes[] = {2, 3, 4};
+    std::vector<Mat> bad = {Mat(), Mat(0, 0, CV_32FC(6)), Mat(3, 4, CV_32FC(3), Scalar::all(1)), Mat(3, sizes, CV_32FC(6))};
+    for (const float value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+    {
+        bad.push_back(good.clone());
+        bad.back().ptr<float>(2)[23] = value;
+    }
+    for (const Mat& grid : bad)
+    {
+        std::vector<Mat> mixed = {gridOf(2, 2), grid};
+        expectRefused([&] { compensator.setMatGains(mixed); }, "colour grid 1");
+        std::vector<Mat> kept;
+        compensator.getMatGains(kept);
+        ASSERT_EQ(kept.size(), size_t(2));
+        EXPECT_EQ(kept[0].size(), good.size());
+    }
 }
 
 }} // namespace

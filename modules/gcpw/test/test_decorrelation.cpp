@@ -94,9 +94,9 @@ TEST(Gcpw_Decorrelation, is_the_score_of_the_rendered_pair)
         ASSERT_TRUE(alignment.ok());
         const double before = scorePair(renderPair(alignment.rough(), scene.source(), scene.target())).zncc;
         const double after = scorePair(renderPair(alignment, scene.source(), scene.target())).zncc;
-        // Interpolated are the target's pixels here and the source's there, and windows lie in different frames.
-        EXPECT_NEAR(alignment.report().pairs[0].miss_before, before, 0.1 * before);
-        EXPECT_NEAR(alignment.report().pairs[0].miss_after, after, 0.2 * after);
+        // Interpolated are the target's pixels here and the source's there: noise is smoothed in different places.
+        EXPECT_NEAR(alignment.report().pairs[0].miss_before, before, 0.15 * before);
+        EXPECT_NEAR(alignment.report().pairs[0].miss_after, after, 0.25 * after);
     }
 }
 
@@ -120,29 +120,36 @@ TEST(Gcpw_BestCandidate, is_the_end_unless_an_earlier_one_correlates_better)
         const std::vector<ImageState> near_truth = shifted(problem, 0.5);
         const std::vector<ImageState> off = shifted(problem, 1.5);
         const std::vector<ImageState> far = shifted(problem, 3);
-        EXPECT_EQ(bestCandidate(problem, near_truth, off, far), Candidate::END);
-        EXPECT_EQ(bestCandidate(problem, far, near_truth, off), Candidate::MATCHES);
-        EXPECT_EQ(bestCandidate(problem, off, far, near_truth), Candidate::ROUGH);
-        EXPECT_EQ(bestCandidate(problem, off, off, off), Candidate::END) << "nothing is worse than itself";
+        EXPECT_EQ(bestCandidate(problem, near_truth, off, far).best, Candidate::END);
+        EXPECT_EQ(bestCandidate(problem, far, near_truth, off).best, Candidate::MATCHES);
+        EXPECT_EQ(bestCandidate(problem, off, far, near_truth).best, Candidate::ROUGH);
+        EXPECT_EQ(bestCandidate(problem, off, off, off).best, Candidate::ROUGH) << "what gains nothing is not worth its bends";
+        EXPECT_EQ(bestCandidate(problem, shifted(problem, 0), shifted(problem, 0), shifted(problem, 0)).best, Candidate::END)
+            << "of two that are perfect none is better";
     }
 }
 
 TEST(Gcpw_BestCandidate, is_never_one_that_left_the_overlap_or_moved_out_of_proportion)
 {
     Problem problem = problemOf(Size(320, 240));
+    const std::vector<ImageState> truth = shifted(problem, 0);
+    const std::vector<ImageState> near_truth = shifted(problem, 1);
     const std::vector<ImageState> rough = shifted(problem, 3);
+    const std::vector<ImageState> away = shifted(problem, 500);
     problem.images[0].rough = rough[0].mesh;
-    EXPECT_EQ(bestCandidate(problem, shifted(problem, 0), rough, rough), Candidate::END);
-    EXPECT_EQ(bestCandidate(problem, shifted(problem, 500), rough, rough), Candidate::MATCHES) << "left the overlap";
-    // The truth, but 200 px from where the rough alignment had it: a third of the diagonal is no refinement any more.
-    problem.images[0].rough = MeshGrid(problem.images[0].rough.lattice(), Point2d(200, 0));
-    EXPECT_EQ(bestCandidate(problem, shifted(problem, -200), shifted(problem, 0), shifted(problem, 0)), Candidate::MATCHES);
+    EXPECT_EQ(bestCandidate(problem, truth, near_truth, rough).best, Candidate::END);
+    problem.images[0].rough = away[0].mesh; // so that the move alone says nothing
+    EXPECT_EQ(bestCandidate(problem, away, near_truth, rough).best, Candidate::ROUGH) << "near_truth moved 499 px";
+    problem.images[0].rough = MeshGrid(problem.images[0].rough.lattice(), Point2d(110, 0));
+    EXPECT_EQ(bestCandidate(problem, truth, near_truth, rough).best, Candidate::END) << "0.275 of the diagonal";
+    problem.images[0].rough = MeshGrid(problem.images[0].rough.lattice(), Point2d(130, 0));
+    EXPECT_EQ(bestCandidate(problem, truth, near_truth, rough).best, Candidate::ROUGH) << "0.325 of the diagonal";
 }
 
 TEST(Gcpw_BestCandidate, is_the_end_where_the_rough_alignment_shows_nothing_to_compare)
 {
     const Problem problem = problemOf(Size(320, 240), 1, 0, false);
-    EXPECT_EQ(bestCandidate(problem, shifted(problem, 2), shifted(problem, 1), shifted(problem, 0)), Candidate::END);
+    EXPECT_EQ(bestCandidate(problem, shifted(problem, 2), shifted(problem, 1), shifted(problem, 0)).best, Candidate::END);
 }
 
 /// Matches of a scene without any displacement, all of one region carried away together.

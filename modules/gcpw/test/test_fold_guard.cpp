@@ -126,4 +126,18 @@ TEST(Gcpw_FoldGuard, a_share_of_a_step_moves_by_that_share)
         EXPECT_LT(cv::norm(half.vertices()[i] - mesh.vertices()[i] - 0.5 * step[i]), 1e-12);
 }
 
+TEST(Gcpw_FoldGuard, a_step_that_is_legal_as_a_whole_may_be_illegal_half_way)
+{
+    // A turn by 150 degrees keeps every area; half of its chord leaves cos(75 deg)^2 = 6.7 % of it.
+    const MeshGrid mesh(Lattice(Size(80, 60), 4, 3));
+    const FoldGuard guard(mesh, 0.1);
+    const double angle = 150 * CV_PI / 180;
+    std::vector<Point2d> step;
+    for (const Point2d& v : mesh.vertices())
+        step.push_back(Point2d(std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y) - v);
+    EXPECT_TRUE(guard.violated(mesh, step).empty());
+    EXPECT_EQ(guard.violated(mesh, step, 0.5).size(), 12u);
+    EXPECT_TRUE(guard.violated(mesh, step, 0.125).empty());
+}
+
 }} // namespace

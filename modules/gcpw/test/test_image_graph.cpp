@@ -2,6 +2,7 @@
 #include "test_precomp.hpp"
 
 #include <algorithm>
+#include <limits>
 #include "pipeline/image_graph.hpp"
 
 namespace opencv_test { namespace {
@@ -87,6 +88,27 @@ TEST(Gcpw_ImageGraph, the_central_image_reaches_all_others_soonest)
 {
     const std::vector<Point> corners = {Point(0, 0), Point(240, 0), Point(160, 0), Point(80, 0), Point(320, 0)};
     EXPECT_EQ(mostCentral(5, findOverlaps(corners, fullMasks(5))), 2);
+}
+
+TEST(Gcpw_ImageGraph, corners_may_lie_at_the_ends_of_the_numbers)
+{
+    const int far = std::numeric_limits<int>::max();
+    const std::vector<Mat> masks = fullMasks(2);
+    EXPECT_TRUE(findOverlaps({Point(far, far), Point(-far - 1, 0)}, masks).empty());
+    EXPECT_TRUE(findOverlaps({Point(-far - 1, 0), Point(far, 0)}, masks).empty());
+    const std::vector<Point> corners = {Point(far, far), Point(far - 60, far - 10)};
+    const std::vector<Overlap> near = findOverlaps(corners, masks);
+    ASSERT_EQ(near.size(), 1u);
+    EXPECT_EQ(near[0].area, 40 * 70);
+    EXPECT_EQ(withoutRepetition(near, corners, masks, 0, 1).size(), 1u);
+    // 4294967295 = 42949672 * 100 + 95
+    const std::vector<Point> ends = {Point(far, 0), Point(-far - 1, 0)};
+    const std::vector<Overlap> wrapped = findOverlaps(ends, masks, 100);
+    ASSERT_EQ(wrapped.size(), 2u) << "on both sides";
+    EXPECT_EQ(wrapped[0].turns_b, 42949672);
+    EXPECT_EQ(wrapped[0].area, 5 * 80);
+    EXPECT_EQ(wrapped[1].area, 95 * 80);
+    EXPECT_EQ(withoutRepetition(wrapped, ends, masks, 100, 1).size(), 2u);
 }
 
 }} // namespace

@@ -138,4 +138,20 @@ TEST(Gcpw_InverseMap, a_rectangle_beside_the_mesh_stays_empty)
     EXPECT_EQ(countNonZero(mask), 0);
 }
 
+TEST(Gcpw_InverseMap, a_mesh_beyond_any_canvas_is_refused_and_not_wrapped_around)
+{
+    for (const double far : {1e300, -1e300, 3e9, -3e9, 2147483648.0, -2147483648.0})
+    {
+        MeshGrid mesh(LATTICE);
+        mesh.vertices()[3].x = far;
+        EXPECT_THROW(coveredRect(mesh, FrameScale()), cv::Exception) << far;
+        mesh = MeshGrid(LATTICE);
+        mesh.vertices()[3].y = far;
+        EXPECT_THROW(coveredRect(mesh, FrameScale()), cv::Exception) << far;
+    }
+    FrameScale tiny;
+    tiny.x = tiny.y = 1e-300;
+    EXPECT_THROW(coveredRect(MeshGrid(LATTICE), tiny), cv::Exception);
+}
+
 }} // namespace

@@ -1,6 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
+#include <limits>
 #include <numeric>
 #include "geometry/lattice.hpp"
 #include "seeded.hpp"
@@ -114,6 +115,19 @@ TEST(Gcpw_Lattice, an_empty_image_or_no_cells_are_refused)
     EXPECT_THROW(Lattice(Size(10, 0), 2, 2), cv::Exception);
     EXPECT_THROW(Lattice(Size(10, 10), 0, 2), cv::Exception);
     EXPECT_THROW(Lattice(Size(10, 10), 2, 0), cv::Exception);
+}
+
+TEST(Gcpw_Lattice, any_position_has_a_cell_of_the_lattice)
+{
+    const Lattice lattice(Size(50, 40), 5, 4);
+    const double values[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300, 3e10, -3e10, -1e300,
+                             -std::numeric_limits<double>::infinity()};
+    for (const double value : values)
+    {
+        const int near = value > 0 ? 4 : 0; // of NaN: the first
+        EXPECT_EQ(lattice.locate(Point2d(value, 0)).cell, near) << value;
+        EXPECT_EQ(lattice.locate(Point2d(0, value)).cell, value > 0 ? 15 : 0) << value;
+    }
 }
 
 }} // namespace

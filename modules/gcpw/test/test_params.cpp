@@ -48,7 +48,12 @@ TEST(Gcpw_Params, paper_switches_every_addition_off)
     EXPECT_EQ(p.matchScale, 0);
     EXPECT_EQ(p.contrastFloor, 0);
     EXPECT_EQ(p.anchorWeight, 0);
+    EXPECT_EQ(p.gainSupport, 0);
+    EXPECT_EQ(p.exposureWeight, 0);
+    EXPECT_EQ(p.balanceWeight, 0);
+    EXPECT_EQ(p.restWeight, 0);
     EXPECT_EQ(p.stopGain, 0) << "the paper ends when the mesh is stable";
+    EXPECT_GE(p.maxIterations, 1000) << "and by nothing else";
 }
 
 TEST(Gcpw_Params, every_member_is_set_and_read_by_its_name)
@@ -108,11 +113,32 @@ TEST(Gcpw_Params, not_a_number_is_out_of_range)
     }
 }
 
-TEST(Gcpw_Params, infinity_is_out_of_range)
+TEST(Gcpw_Params, every_member_has_an_upper_bound_and_names_it)
+{
+    for (const std::string& name : Params::names())
+        for (const double value : {std::numeric_limits<double>::infinity(), 1e300, 1e10})
+        {
+            Params p;
+            try
+            {
+                p.set(name, value);
+            }
+            catch (const cv::Exception&)
+            {
+                continue; // a whole number
+            }
+            EXPECT_NE(complaintOf(p).find(name), std::string::npos) << name;
+            EXPECT_NE(complaintOf(p).find("at most"), std::string::npos) << name;
+        }
+}
+
+TEST(Gcpw_Params, lines_are_not_sampled_without_end)
 {
     Params p;
-    p.photometricWeight = std::numeric_limits<double>::infinity();
-    EXPECT_NE(complaintOf(p).find("photometricWeight"), std::string::npos);
+    p.lineStep = 0.1;
+    EXPECT_EQ(complaintOf(p), "");
+    p.lineStep = 0.0999;
+    EXPECT_NE(complaintOf(p).find("lineStep"), std::string::npos);
 }
 
 TEST(Gcpw_Params, bounds_that_are_excluded_are_refused)

@@ -127,4 +127,10 @@ TEST(Gcpw_Photograph, resizing_keeps_pixel_squares_in_place_and_shrinks_the_mask
     EXPECT_EQ(resized(photograph, photograph.image.size()).image.data, photograph.image.data) << "copied for nothing";
 }
 
+TEST(Gcpw_Photograph, the_area_of_a_gigapixel_photograph_is_no_int)
+{
+    EXPECT_EQ(cappedSize(Size(60000, 60000), 1), Size(1000, 1000));
+    EXPECT_EQ(cappedSize(Size(70000, 70000), 100), Size(10000, 10000));
+}
+
 }} // namespace

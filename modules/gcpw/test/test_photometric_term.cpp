@@ -1,76 +1,11 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
-#include <Eigen/Eigenvalues>
-#include "bent_mesh.hpp"
-#include "term_laws.hpp"
-#include "terms/photometric_term.hpp"
+#include "photometric_scene.hpp"
 
 namespace opencv_test { namespace {
 
 using namespace cv::gcpw;
-
-const Lattice SOURCE(Size(60, 45), 4, 3);
-const Lattice TARGET(Size(120, 90), 5, 4);
-const double WEIGHT = 100;
-const int SOURCE_MESH = 2 * SOURCE.vertexCount();
-
-typedef std::function<double(Point2d rest_px, int channel)> Picture;
-
-/// A level whose pixels show a picture exactly, at their rest positions; inside everywhere.
-PyramidLevel levelOf(const Lattice& lattice, double scale, const Picture& picture)
-{
-    PyramidLevel level;
-    level.scale = scale;
-    level.pixels.create(cvRound(lattice.imageSize().height / scale), cvRound(lattice.imageSize().width / scale),
-                        CV_32FC4);
-    for (int y = 0; y < level.pixels.rows; ++y)
-        for (int x = 0; x < level.pixels.cols; ++x)
-            for (int c = 0; c < 4; ++c)
-                level.pixels.at<Vec4f>(y, x)[c] =
-                    c == 3 ? 1.0F : static_cast<float>(picture(Point2d(x * scale, y * scale), c));
-    return level;
-}
-
-/// Bilinear sampling reads a ramp without error, and residuals are then linear in all unknowns.
-double ramp(Point2d p, int c)
-{
-    return 0.2 + 0.003 * (c + 1) * p.x + 0.004 * (2 - c) * p.y;
-}
-
-/// Waves so long that bilinear sampling hardly errs.
-double waves(Point2d p, int c)
-{
-    return 0.5 + 0.1 * std::sin(p.x / 7 + c) + 0.1 * std::sin(p.y / 6 - c) + 0.1 * std::sin((p.x + p.y) / 9 + 2 * c);
-}
-
-/// A picture of the same kind that fits nowhere.
-double otherWaves(Point2d p, int c)
-{
-    return 0.4 + 0.12 * std::sin(p.x / 8 - 2 * c) + 0.1 * std::cos(p.y / 7 + c);
-}
-
-/// Source bent over the middle of the target, which lies at rest.
-TermState bentState()
-{
-    return TermState({bentMesh(SOURCE, 1.5, 1, Point2d(30, 20)), MeshGrid(TARGET)});
-}
-
-/// Target bent too, with colours of its own on both sides.
-TermState movedState()
-{
-    TermState state({bentMesh(SOURCE, 1.5, 2, Point2d(50, 5)),
-                     affineMesh(MeshGrid(TARGET), Matx22d(1.2, 0.1, -0.1, 0.9), Point2d(12, -8))});
-    RNG rng = seeded(3);
-    for (ColorGrid& grid : state.colors)
-    {
-        const ChannelAffine map{rng.uniform(0.7, 1.3), rng.uniform(-0.1, 0.1)};
-        for (int cell = 0; cell < grid.lattice().cellCount(); ++cell)
-            for (int c = 0; c < CHANNELS; ++c)
-                grid.quad(cell)[c] = {map.gain + 0.1 * c, map.bias - 0.02 * c};
-    }
-    return state;
-}
 
 PourTerm pourPixels(const PyramidLevel& source, const PyramidLevel& target, double contrast_floor = 0,
                     const RobustLoss& loss = RobustLoss(), int step = 3, bool target_moves = false)
@@ -299,24 +234,6 @@ TEST(Gcpw_PhotometricTerm, the_colors_of_both_images_are_coupled_exactly)
     const PourTerm pour = pourBothSides(levelOf(SOURCE, 1, waves), levelOf(TARGET, 1, otherWaves));
     RecordingSink sink(state.lattices());
     expectExactlyQuadratic(pour, state, sink.meshColumns(), sink.columns(), 0.2, 1e-5);
-}
-
-TEST(Gcpw_PhotometricTerm, colors_of_images_that_do_not_match_are_still_a_sum_of_squares)
-{
-    // Trust is taken from such a quad: of both images or of none, or else the colours have no minimum.
-    const TermState state = movedState();
-    PhotometricTerm::Options options;
-    options.step = 1;
-    options.gain_support = 3;
-    const PyramidLevel target = levelOf(TARGET, 1, otherWaves);
-    const PhotometricTerm term(0, 1, levelOf(SOURCE, 1, waves), target, SOURCE, options);
-    RecordingSink sink(state.lattices());
-    term.linearize({{state.meshes[0], state.colors[0]}, {state.meshes[1], state.colors[1]}}, true, RobustLoss(), sink);
-    ASSERT_FALSE(sink.partners.empty());
-    const Eigen::Index colors = sink.columns() - sink.meshColumns();
-    const Eigen::VectorXd values =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(sink.matrix().bottomRightCorner(colors, colors)).eigenvalues();
-    EXPECT_GE(values.minCoeff(), -1e-9 * values.maxCoeff());
 }
 
 TEST(Gcpw_PhotometricTerm, near_the_truth_the_poured_matrix_is_the_energy_of_both_meshes)

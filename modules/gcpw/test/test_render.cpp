@@ -1,6 +1,7 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "test_precomp.hpp"
 
+#include "refusal.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {
@@ -191,6 +192,22 @@ TEST(Gcpw_Render, stitching_is_all_of_it_in_one_call_and_leaves_the_output_alone
     const Mat before = panorama.clone();
     EXPECT_FALSE(stitchPair(flat, flat, panorama));
     EXPECT_EQ(cv::norm(panorama, before, NORM_INF), 0);
+}
+
+TEST(Gcpw_Render, a_mesh_that_ran_away_makes_no_canvas)
+{
+    const Scene scene{smallScene()};
+    const Alignment alignment = alignPair(scene.source(), scene.target());
+    ASSERT_TRUE(alignment.ok());
+    for (const double far : {32768.0, 1e6, 2147483647.0, -2147483648.0, 3e9, -3e9, 1e300, -1e300})
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            Alignment::Image source = alignment.image(0);
+            source.mesh = source.mesh.clone();
+            source.mesh.at<Vec2d>(5, 7)[axis] = far;
+            const Alignment broken({source, alignment.image(1)}, alignment.canvasScale(), alignment.report());
+            expectRefused([&] { renderPair(broken, scene.source(), scene.target()); }, "the canvas would be");
+        }
 }
 
 }} // namespace

@@ -330,6 +330,29 @@ TEST(Gcpw_StitcherBinding, a_matcher_draws_from_a_fixed_state_and_the_threads_st
     }
     ASSERT_EQ(drawing->drawn.size(), size_t(2));
     EXPECT_EQ(drawing->drawn[0], drawing->drawn[1]);
+    EXPECT_EQ(drawing->drawn[0], RNG().next()) << "what a new thread draws first";
+}
+
+TEST(Gcpw_StitcherBinding, two_images_have_the_cameras_of_a_plain_stitcher_in_a_new_thread)
+{
+    std::vector<cv::detail::CameraParams> cameras[2];
+    std::vector<Mat> images = frameOf();
+    images.resize(2);
+    for (int k = 0; k < 2; ++k)
+    {
+        const RNG before = theRNG();
+        theRNG() = k == 0 ? RNG() : RNG(3);
+        const Ptr<Stitcher> stitcher = makeStitcher();
+        if (k == 1)
+            gcpw::attach(stitcher, quick());
+        EXPECT_EQ(stitcher->estimateTransform(images), Stitcher::OK);
+        cameras[k] = stitcher->cameras();
+        theRNG() = before;
+    }
+    ASSERT_EQ(cameras[0].size(), size_t(2));
+    gcpw::Rig rig;
+    rig.cameras = cameras[0];
+    EXPECT_TRUE(rig.fits(cameras[1]));
 }
 
 TEST(Gcpw_StitcherBinding, a_stitcher_without_finder_or_matcher_says_so)

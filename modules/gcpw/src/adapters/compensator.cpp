@@ -5,6 +5,7 @@
 #include "adapters/color_field.hpp"
 #include "adapters/picture_scale.hpp"
 #include "adapters/session.hpp"
+#include "model/color_grid.hpp"
 #include "pipeline/color_only.hpp"
 
 namespace cv
@@ -138,8 +139,8 @@ void GcpwCompensator::setMatGains(std::vector<Mat>& gains)
         given_ = false;
         return;
     }
-    for (const Mat& gain : gains)
-        CV_CheckTypeEQ(gain.type(), CV_32FC(6), "gcpw: a colour grid has gain and bias of Y, Cr, Cb");
+    for (size_t i = 0; i < gains.size(); ++i)
+        checkColorGrid(gains[i], format("colour grid %zu", i));
     colors_.clear();
     for (const Mat& gain : gains)
         colors_.push_back(gain.clone());

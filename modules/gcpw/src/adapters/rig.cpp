@@ -1,8 +1,11 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "opencv2/gcpw/rig.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include "pipeline/alignment_io.hpp"
+#include "pipeline/model_file.hpp"
 
 namespace cv
 {
@@ -25,6 +28,32 @@ bool sameCamera(const cv::detail::CameraParams& a, const cv::detail::CameraParam
            R_b.total() == 9 && std::memcmp(R_a.data, R_b.data, 9 * sizeof(float)) == 0;
 }
 
+void checkPositive(const std::string& name, double value)
+{
+    if (!(value > 0) || !std::isfinite(value))
+        CV_Error(Error::StsOutOfRange, format("gcpw: %s is %g; it must be finite and above 0", name.c_str(), value));
+}
+
+void checkCount(const char* name, size_t count, size_t images)
+{
+    if (count != 0 && count != images)
+        CV_Error(Error::StsUnmatchedSizes,
+                 format("gcpw: %s of a rig has %zu entries; it has one for each of the %zu images, or none", name, count, images));
+}
+
+void checkCamera(const cv::detail::CameraParams& camera, size_t index)
+{
+    const std::string of = format(" of camera %zu", index);
+    if (camera.R.size() != Size(3, 3) || camera.R.channels() != 1 || camera.R.dims != 2)
+        CV_Error(Error::StsBadArg, "gcpw: R" + of + " is not a 3 x 3 matrix");
+    if (!checkRange(camera.R))
+        CV_Error(Error::StsOutOfRange, "gcpw: R" + of + " holds values that are not finite");
+    checkPositive("focal" + of, camera.focal);
+    checkPositive("aspect" + of, camera.aspect);
+    if (!std::isfinite(camera.ppx) || !std::isfinite(camera.ppy))
+        CV_Error(Error::StsOutOfRange, format("gcpw: the principal point%s is (%g, %g); it must be finite", of.c_str(), camera.ppx, camera.ppy));
+}
+
 } // namespace
 
 bool Rig::usable() const
@@ -43,21 +72,51 @@ bool Rig::fits(const std::vector<cv::detail::CameraParams>& others) const
     return true;
 }
 
+void Rig::check() const
+{
+    const size_t images = static_cast<size_t>(alignment.imageCount());
+    if (images == 0 || !alignment.ok())
+        return;
+    if (cameras.size() != images)
+        CV_Error(Error::StsUnmatchedSizes, format("gcpw: a rig of %zu images has %zu cameras", images, cameras.size()));
+    for (size_t i = 0; i < images; ++i)
+        checkCamera(cameras[i], i);
+    checkCount("image_sizes", image_sizes.size(), images);
+    for (size_t i = 0; i < image_sizes.size(); ++i)
+        if (image_sizes[i].width < 1 || image_sizes[i].height < 1)
+            CV_Error(Error::StsOutOfRange, format("gcpw: image_sizes[%zu] of a rig is %d x %d px; both must be at least 1", i,
+                                                  image_sizes[i].width, image_sizes[i].height));
+    checkCount("component", component.size(), images);
+    for (size_t i = 0; i < component.size(); ++i)
+        if (component[i] < 0 || std::find(component.begin(), component.begin() + static_cast<std::ptrdiff_t>(i), component[i]) !=
+                                    component.begin() + static_cast<std::ptrdiff_t>(i))
+            CV_Error(Error::StsOutOfRange,
+                     format("gcpw: component[%zu] of a rig is %d; indices start at 0 and none comes twice", i, component[i]));
+    checkCount("turns", turns.size(), images);
+    for (size_t i = 0; i < turns.size(); ++i)
+        if (!(std::abs(turns[i]) <= 2 * CV_PI))
+            CV_Error(Error::StsOutOfRange, format("gcpw: turns[%zu] of a rig is %g; radians of at most one circle are taken", i, turns[i]));
+    checkPositive("scale of a rig", scale);
+    checkPositive("work_scale of a rig", work_scale);
+}
+
 void Rig::save(const std::string& path) const
 {
-    FileStorage file = openForWriting(path);
-    file << "kind" << KIND << "scale" << scale << "work_scale" << work_scale << "component" << component << "turns" << turns;
-    file << "cameras" << "[";
-    for (size_t i = 0; i < cameras.size(); ++i)
+    writeFile(path, KIND, [this](FileStorage& file)
     {
-        const cv::detail::CameraParams& camera = cameras[i];
-        file << "{" << "focal" << camera.focal << "aspect" << camera.aspect << "ppx" << camera.ppx << "ppy" << camera.ppy
-             << "R" << camera.R << "t" << camera.t << "image_size" << (i < image_sizes.size() ? image_sizes[i] : Size())
-             << "}";
-    }
-    file << "]" << "alignment" << "{";
-    writeAlignment(file, alignment);
-    file << "}";
+        file << "scale" << scale << "work_scale" << work_scale << "component" << component << "turns" << turns;
+        file << "cameras" << "[";
+        for (size_t i = 0; i < cameras.size(); ++i)
+        {
+            const cv::detail::CameraParams& camera = cameras[i];
+            file << "{" << "focal" << camera.focal << "aspect" << camera.aspect << "ppx" << camera.ppx << "ppy" << camera.ppy
+                 << "R" << camera.R << "t" << camera.t << "image_size" << (i < image_sizes.size() ? image_sizes[i] : Size())
+                 << "}";
+        }
+        file << "]" << "alignment" << "{";
+        writeAlignment(file, alignment);
+        file << "}";
+    });
 }
 
 Rig Rig::load(const std::string& path)
@@ -69,6 +128,7 @@ Rig Rig::load(const std::string& path)
         root["work_scale"] >> rig.work_scale;
         root["component"] >> rig.component;
         root["turns"] >> rig.turns;
+        bool sizes_known = false;
         for (const FileNode& node : root["cameras"])
         {
             cv::detail::CameraParams camera;
@@ -76,18 +136,19 @@ Rig Rig::load(const std::string& path)
             node["aspect"] >> camera.aspect;
             node["ppx"] >> camera.ppx;
             node["ppy"] >> camera.ppy;
-            node["R"] >> camera.R;
-            node["t"] >> camera.t;
+            camera.R = readMatrix(node["R"], "R of a camera", 3, 3, {"f", "d"});
+            if (!node["t"].empty())
+                camera.t = readMatrix(node["t"], "t of a camera", 3, 3, {"f", "d"});
             Size size;
             node["image_size"] >> size;
-            CV_CheckEQ(camera.R.total(), size_t(9), "a camera without rotation");
             rig.cameras.push_back(camera);
             rig.image_sizes.push_back(size);
+            sizes_known = sizes_known || size != Size();
         }
+        if (!sizes_known)
+            rig.image_sizes.clear(); // save() had none to write
         rig.alignment = readAlignment(root["alignment"]);
-        const size_t images = static_cast<size_t>(rig.alignment.imageCount());
-        if (images != 0 && (images != rig.cameras.size() || (!rig.turns.empty() && images != rig.turns.size())))
-            CV_Error(Error::StsParseError, "not as many cameras as images");
+        rig.check();
         return rig;
     });
 }

@@ -96,7 +96,11 @@ std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypo
         Point corner = warper.warp(images[i], K, off_seam, INTER_LINEAR, BORDER_REFLECT, canvas.images[i]);
         warper.warp(Mat(size, CV_8UC1, Scalar(255)), K, off_seam, INTER_NEAREST, BORDER_CONSTANT, canvas.masks[i]);
         for (size_t k = 0; !keypoints.empty() && k < keypoints[i].points.size(); ++k)
-            canvas.keypoints[i].points[k] = warper.warpPoint(keypoints[i].points[k], K, off_seam) - Point2f(corner);
+        {
+            // What the projection has no place for goes far outside, where it is left out.
+            const Point2f p = warper.warpPoint(keypoints[i].points[k], K, off_seam) - Point2f(corner);
+            canvas.keypoints[i].points[k] = std::isfinite(p.x) && std::isfinite(p.y) ? p : Point2f(-MAX_SIDE, -MAX_SIDE);
+        }
         corner.x += cvRound(turn * warper.getScale());
         canvas.corners.push_back(corner);
         rig.turns.push_back(turn);
@@ -151,7 +155,10 @@ std::string alignInto(Rig& rig, const std::vector<Mat>& images, const Ptr<Warper
         return fault;
     rig.alignment = Aligner::create(tuned(params, canvas))->align(canvas.corners, canvas.images, canvas.masks,
                                                                   std::vector<Correspondences>(), progress, canvas.keypoints);
-    return meshFault(rig.alignment);
+    fault = meshFault(rig.alignment);
+    if (fault.empty())
+        rig.check();
+    return fault;
 }
 
 } // namespace

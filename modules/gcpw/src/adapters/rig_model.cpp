@@ -63,6 +63,7 @@ Point2d PlacedMesh::restAt(Point2d canvas_px, int& hint) const
 
 std::shared_ptr<const RigModel> RigModel::create(const Rig& rig)
 {
+    rig.check();
     if (!rig.usable())
         return {};
     auto model = std::make_shared<RigModel>();

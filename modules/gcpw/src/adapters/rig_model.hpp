@@ -53,7 +53,7 @@ public:
         bool rests = false; ///< the mesh is where the base warper has the image
     };
 
-    /// Nothing if the rig is not usable.
+    /// Nothing if the rig is not usable. @throws cv::Exception see Rig::check()
     static std::shared_ptr<const RigModel> create(const Rig& rig);
 
     const std::vector<Item>& items() const { return items_; }

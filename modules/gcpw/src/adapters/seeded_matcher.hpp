@@ -13,7 +13,8 @@ namespace gcpw
 /** @brief Another features matcher that always draws the same numbers.
 
 OpenCV's matchers look for neighbours in random trees: what they find, and with it the cameras, depends on what the thread has
-drawn before. Here each call starts from one state of cv::theRNG() and puts the caller's back. */
+drawn before. Here each call starts from the state of cv::theRNG() in a new thread, so that two images get what a program that
+has drawn nothing gets, and puts the caller's state back. */
 class SeededMatcher : public cv::detail::FeaturesMatcher
 {
 public:
@@ -48,11 +49,11 @@ protected:
 #endif
 
 private:
-    /// A fixed state of this thread's generator as long as it lives.
+    /// The first state of this thread's generator, as long as it lives.
     class Seed
     {
     public:
-        Seed() : before_(theRNG()) { theRNG() = RNG(0x6763707700000001); }
+        Seed() : before_(theRNG()) { theRNG() = RNG(); }
         ~Seed() { theRNG() = before_; }
         Seed(const Seed&) = delete;
         Seed& operator=(const Seed&) = delete;

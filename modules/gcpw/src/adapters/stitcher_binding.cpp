@@ -158,7 +158,8 @@ void Binding::estimate(Stitcher& stitcher, const std::vector<cv::detail::CameraP
         in_callback = true;
         RigEstimate result = estimateRig(images, cameras, session_->base, params, progress_, keypoints);
         in_callback = false;
-        result.rig.component = component;
+        if (component.size() == cameras.size())
+            result.rig.component = component;
         result.rig.work_scale = stitcher.workScale();
         session_->setRig(result.rig);
         lasting_ = result.lasting;

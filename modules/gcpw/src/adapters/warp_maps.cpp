@@ -42,6 +42,16 @@ Vec2f readMaps(const Mat& x_map, const Mat& y_map, Point2d p)
     return result;
 }
 
+/// The pixels of a rectangle that touch the box from `low` to `high`, however far that reaches.
+Rect clipped(Rect rect, Point2d low, Point2d high)
+{
+    const double left = std::max<double>(rect.x, std::floor(low.x));
+    const double top = std::max<double>(rect.y, std::floor(low.y));
+    const double right = std::min<double>(rect.br().x, std::ceil(high.x) + 1);
+    const double bottom = std::min<double>(rect.br().y, std::ceil(high.y) + 1);
+    return right > left && bottom > top ? Rect(Point(cvRound(left), cvRound(top)), Point(cvRound(right), cvRound(bottom))) : Rect();
+}
+
 } // namespace
 
 WarpMaps::WarpMaps(cv::detail::RotationWarper& base, const PlacedMesh& placed, const Mat& K, const Matx33f& R, double turn)
@@ -107,7 +117,7 @@ Rect WarpMaps::roi(Size image) const
     const bool by_border = base.width <= rest_high.x - rest_low.x + slack && base.height <= rest_high.y - rest_low.y + slack;
     Rect roi = covered;
     if (by_border)
-        roi &= Rect(Point(cvFloor(low.x), cvFloor(low.y)), Point(cvCeil(high.x) + 1, cvCeil(high.y) + 1));
+        roi = clipped(covered, low, high);
     if (period_px_ > 0)
     {
         const Rect plain = base_.warpRoi(image, K_, plain_R_);

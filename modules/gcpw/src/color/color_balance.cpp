@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <opencv2/core/utils/logger.hpp>
 #include "color/color_comparison.hpp"
 #include "color/color_pull.hpp"
 #include "color/exposures.hpp"
@@ -104,8 +105,12 @@ std::vector<ColorGrid> balancedColors(const std::vector<PhotometricTerm>& terms,
     for (int pass = 0; pass < PASSES; ++pass)
     {
         pour(comparisons, params.photometricWeight, colors, system);
+        // NotConverged is an answer: conjugate gradients lower the energy, and the next pass goes on from there.
         if (system.solve(colors) == SolveStatus::NotPositiveDefinite)
+        {
+            CV_LOG_INFO(nullptr, "gcpw: the colours of many images have no answer in pass " << pass << "; the last ones are kept");
             break;
+        }
         for_each_free([](size_t, ColorGrid::Quad& quad)
         {
             for (ChannelAffine& map : quad)

@@ -24,7 +24,7 @@ means m and standard deviations d,
 with n_0 the samples of a whole quad (trustIn(), estimateExposures()). No image is privileged, mean log gain is 0 and mean
 bias 0, unless Params::referenceImage names one: that keeps its colours.
 @param terms whose samples are compared  @param states whose colours are ignored
-@return one grid an image; the identity without terms, the exposures if the system has no answer */
+@return one grid an image; the identity without terms, the exposures, or the last pass that had one, where the system has no answer */
 std::vector<ColorGrid> balancedColors(const std::vector<PhotometricTerm>& terms, const std::vector<ImageState>& states,
                                       const Params& params);
 

@@ -2,6 +2,7 @@
 #include "color/exposures.hpp"
 
 #include <cmath>
+#include <opencv2/core/utils/logger.hpp>
 
 namespace cv
 {
@@ -12,10 +13,9 @@ namespace
 {
 
 const double GAUGE = 1e-3;          ///< share of an overlap: chooses among exposures that fit equally well
-const double HOLD = 1e6;            ///< overlaps: as good as fixed
 const double NOISE_VARIANCE = 1e-4; ///< of an intensity: less contrast than this says nothing of gain
 
-/// Normal equations of differences x_a - x_b = d between images; x is 0 where an image is held.
+/// Normal equations of differences x_a - x_b = d between images; x is exactly 0 where an image is held.
 class Differences
 {
 public:
@@ -37,15 +37,31 @@ public:
         total_ += weight;
     }
 
-    std::vector<double> solve() const
+    /// False if there is no answer; `x` is then all 0.
+    [[nodiscard]] bool solve(std::vector<double>& x) const
     {
-        Mat matrix = matrix_.clone();
-        for (int i = 0; i < matrix.rows; ++i)
-            matrix.at<double>(i, i) += GAUGE * total_ / matrix.rows + (held_[i] ? HOLD * total_ : 0);
-        Mat x;
-        if (!cv::solve(matrix, right_, x, DECOMP_CHOLESKY))
-            return std::vector<double>(held_.size(), 0);
-        return std::vector<double>(x.begin<double>(), x.end<double>());
+        x.assign(held_.size(), 0);
+        std::vector<int> free;
+        for (int i = 0; i < matrix_.rows; ++i)
+            if (!held_[i])
+                free.push_back(i);
+        if (free.empty())
+            return true;
+        const int count = static_cast<int>(free.size());
+        Mat matrix(count, count, CV_64F);
+        Mat right(count, 1, CV_64F);
+        for (int i = 0; i < count; ++i)
+        {
+            right.at<double>(i) = right_.at<double>(free[i]);
+            for (int j = 0; j < count; ++j)
+                matrix.at<double>(i, j) = matrix_.at<double>(free[i], free[j]) + (i == j ? GAUGE * total_ / matrix_.rows : 0);
+        }
+        Mat found;
+        if (!cv::solve(matrix, right, found, DECOMP_CHOLESKY) || !checkRange(found))
+            return false;
+        for (int i = 0; i < count; ++i)
+            x[free[i]] = found.at<double>(i);
+        return true;
     }
 
 private:
@@ -76,9 +92,14 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
                               0.5 * std::log((m.targetVariance(c) + NOISE_VARIANCE) / (m.sourceVariance(c) + NOISE_VARIANCE)),
                               m.samples());
         }
-        const std::vector<double> logs = log_gains.solve();
+        std::vector<double> found;
+        if (!log_gains.solve(found))
+        {
+            CV_LOG_INFO(nullptr, "gcpw: the images' gains have no answer in channel " << c << "; they are taken as 1");
+            continue;
+        }
         for (size_t i = 0; i < exposures.size(); ++i)
-            exposures[i][c].gain = plausibleGain(std::exp(logs[i]));
+            exposures[i][c].gain = held[i] ? 1 : plausibleGain(std::exp(found[i]));
         Differences biases(held);
         for (size_t k = 0; k < comparisons.size(); ++k)
         {
@@ -88,7 +109,8 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
             if (m.samples() > 0)
                 biases.add(a, b, exposures[b][c].gain * m.targetMean(c) - exposures[a][c].gain * m.sourceMean(c), m.samples());
         }
-        const std::vector<double> found = biases.solve();
+        if (!biases.solve(found))
+            CV_LOG_INFO(nullptr, "gcpw: the images' biases have no answer in channel " << c << "; they are taken as 0");
         for (size_t i = 0; i < exposures.size(); ++i)
             exposures[i][c].bias = found[i];
     }

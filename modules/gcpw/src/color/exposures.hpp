@@ -14,7 +14,7 @@ namespace gcpw
 
 Moments of whole overlaps hardly depend on how well they line up, so these are known before any pixel is aligned; quads
 count as far as they show the same thing (trustIn()). Of all that fit equally well the one of mean log gain 0 and mean
-bias 0 is chosen; images that are held keep (1, 0). */
+bias 0 is chosen; images that are held keep (1, 0) exactly, and so does a channel without an answer. */
 std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
                                                const std::vector<bool>& held);
 

@@ -10,7 +10,7 @@ namespace cv
 namespace gcpw
 {
 
-enum class SolveStatus
+enum class [[nodiscard]] SolveStatus
 {
     Solved,
     NotPositiveDefinite, ///< the data and the regularisers leave an unknown free, or are not finite

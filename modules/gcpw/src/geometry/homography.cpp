@@ -92,7 +92,8 @@ bool fitHomography(const std::vector<PointMatch>& points, const std::vector<Line
     Mat vectors;
     if (!eigen(Mat(normal), values, vectors))
         return false;
-    // The second smallest eigenvalue is zero too if the data leave more than one homography.
+    // The second smallest eigenvalue is zero too if the data leave more than one homography. Eigenvalues are the squares of
+    // the rows' singular values, so this asks for a condition below 1e5, far above what normalised frames have.
     if (!(values.at<double>(7) > 1e-10 * values.at<double>(0)))
         return false;
     const Matx33d h(vectors.ptr<double>(8));

@@ -9,7 +9,7 @@ namespace cv
 namespace gcpw
 {
 
-/// H p, inhomogeneous.
+/// H p, inhomogeneous. Not finite on the horizon, where the third coordinate of H p is 0.
 Point2d applyHomography(const Matx33d& h, Point2d p);
 
 /** @brief b from a by points and lines together @cite li2015dual (direct linear transform).

@@ -45,8 +45,9 @@ CellPoint Lattice::locate(Point2d rest_px) const
 {
     const double x = (rest_px.x + 0.5) / cell_size_.width;
     const double y = (rest_px.y + 0.5) / cell_size_.height;
-    const int col = std::min(std::max(static_cast<int>(std::floor(x)), 0), cols_ - 1);
-    const int row = std::min(std::max(static_cast<int>(std::floor(y)), 0), rows_ - 1);
+    // Bounded before the cast, and in this order: NaN becomes 0.
+    const int col = static_cast<int>(std::min(std::max(0.0, std::floor(x)), cols_ - 1.0));
+    const int row = static_cast<int>(std::min(std::max(0.0, std::floor(y)), rows_ - 1.0));
     CellPoint point;
     point.cell = row * cols_ + col;
     point.weight = bilinearWeights(x - col, y - row);

@@ -22,7 +22,7 @@ Mat filled(const Mat& covered_colors, const Mat& coverage)
     Mat colors;
     divide(covered_colors, coverage_of_all, colors);
     const Mat outside = coverage <= 0;
-    if (size.area() == 1 || countNonZero(outside) == 0)
+    if (coverage.total() == 1 || countNonZero(outside) == 0)
         return colors;
     const Size half((size.width + 1) / 2, (size.height + 1) / 2);
     Mat half_colors;
@@ -42,7 +42,7 @@ void extendOutside(Mat& image, const Mat& mask)
     CV_Assert(mask.type() == CV_8UC1 && mask.size() == image.size());
     const Mat outside = mask == 0;
     const int count = countNonZero(outside);
-    if (count == 0 || count == mask.size().area())
+    if (count == 0 || static_cast<size_t>(count) == mask.total())
         return;
     image.setTo(Scalar::all(0), outside);
     const Size coarse((image.cols + COARSE - 1) / COARSE, (image.rows + COARSE - 1) / COARSE);

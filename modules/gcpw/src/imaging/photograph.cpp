@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+// DIST_L2 of distanceTransform(), part of imgproc before OpenCV 5.
+#if CV_VERSION_MAJOR >= 5
+#include <opencv2/geometry.hpp>
+#endif
 
 namespace cv
 {
@@ -72,7 +76,7 @@ void hideOutside(Photograph& photograph, const Mat& valid)
 
 Size cappedSize(Size full, double megapix)
 {
-    const double scale = std::min(1.0, std::sqrt(megapix * 1e6 / full.area()));
+    const double scale = std::min(1.0, std::sqrt(megapix * 1e6 / (static_cast<double>(full.width) * full.height)));
     return {std::max(cvRound(full.width * scale), 1), std::max(cvRound(full.height * scale), 1)};
 }
 
@@ -80,7 +84,7 @@ Photograph resized(const Photograph& photograph, Size size)
 {
     if (photograph.image.size() == size)
         return photograph;
-    const bool shrinks = size.area() < photograph.image.size().area();
+    const bool shrinks = static_cast<double>(size.width) * size.height < static_cast<double>(photograph.image.total());
     Photograph result;
     resize(photograph.image, result.image, size, 0, 0, shrinks ? INTER_AREA : INTER_LINEAR);
     if (!photograph.mask.empty())

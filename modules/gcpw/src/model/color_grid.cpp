@@ -34,6 +34,15 @@ ColorGrid::Quad ColorGrid::at(Point2d rest_px) const
     return mixed;
 }
 
+bool ColorGrid::isIdentity() const
+{
+    for (const Quad& quad : quads_)
+        for (const ChannelAffine& map : quad)
+            if (map.gain != 1 || map.bias != 0)
+                return false;
+    return true;
+}
+
 Mat ColorGrid::toMat() const
 {
     Mat grid(lattice_.rows(), lattice_.cols(), CV_32FC(2 * CHANNELS));
@@ -49,8 +58,17 @@ Mat ColorGrid::toMat() const
     return grid;
 }
 
+void checkColorGrid(const Mat& grid, const std::string& name)
+{
+    if (grid.type() != CV_32FC(2 * CHANNELS) || grid.dims != 2 || grid.rows < 1 || grid.cols < 1)
+        CV_Error(Error::StsBadArg, "gcpw: " + name + " is not rows x cols, CV_32FC(6): gain and bias of Y, Cr, Cb of each quad");
+    if (!checkRange(grid))
+        CV_Error(Error::StsOutOfRange, "gcpw: " + name + " holds values that are not finite");
+}
+
 ColorGrid mixed(const ColorGrid& a, const ColorGrid& b, double share)
 {
+    CV_DbgAssert(a.lattice().cols() == b.lattice().cols() && a.lattice().rows() == b.lattice().rows());
     ColorGrid result = a;
     for (int cell = 0; cell < a.lattice().cellCount(); ++cell)
         for (int c = 0; c < CHANNELS; ++c)

@@ -3,6 +3,7 @@
 #define OPENCV_GCPW_COLOR_GRID_HPP
 
 #include <array>
+#include <string>
 #include <vector>
 #include "geometry/lattice.hpp"
 
@@ -33,14 +34,10 @@ public:
 
     const Lattice& lattice() const { return lattice_; }
     const Quad& quad(int cell) const { return quads_[cell]; }
-    Quad& quad(int cell)
-    {
-        identity_ = false;
-        return quads_[cell];
-    }
+    Quad& quad(int cell) { return quads_[cell]; }
 
-    /// True until a quad is written.
-    bool isIdentity() const { return identity_; }
+    /// Whether every quad leaves colours as they are.
+    bool isIdentity() const;
 
     /// Bilinear between quad centres, constant beyond the outer centres.
     Quad at(Point2d rest_px) const;
@@ -51,10 +48,14 @@ public:
 private:
     Lattice lattice_;
     std::vector<Quad> quads_;
-    bool identity_ = true;
 };
 
-/// (1 - share) * a + share * b, quad by quad.
+/** @brief Refuses a Mat that is no colour grid: rows x cols, CV_32FC(6), at least 1 x 1 and of finite values.
+@param name for the message
+@throws cv::Exception */
+void checkColorGrid(const Mat& grid, const std::string& name);
+
+/// (1 - share) * a + share * b, quad by quad, of two grids over one lattice.
 ColorGrid mixed(const ColorGrid& a, const ColorGrid& b, double share);
 
 } // namespace gcpw

@@ -14,6 +14,8 @@ namespace
 
 const double BORDER_FRACTION = 1e-9; ///< a pixel centre this far outside a quad still belongs to it
 
+const double FARTHEST = 1e9;         ///< px: rectangles of twice this size still fit an int
+
 struct Box
 {
     int left, top, right, bottom; ///< inclusive pixels
@@ -38,14 +40,24 @@ Box boxOf(const std::array<Point2d, 4>& quad, Rect clip)
 
 } // namespace
 
-Rect coveredRect(const MeshGrid& mesh, const FrameScale& canvas)
+Rect2d coveredBounds(const MeshGrid& mesh, const FrameScale& canvas)
 {
     const Rect2d bounds = mesh.bounds();
     const Point2d low = canvas.toFull(bounds.tl());
     const Point2d high = canvas.toFull(bounds.br());
-    const Point first(cvCeil(low.x - BORDER_FRACTION), cvCeil(low.y - BORDER_FRACTION));
-    const Point last(cvFloor(high.x + BORDER_FRACTION), cvFloor(high.y + BORDER_FRACTION));
-    return {first, last + Point(1, 1)};
+    const Point2d first(std::ceil(low.x - BORDER_FRACTION), std::ceil(low.y - BORDER_FRACTION));
+    const Point2d last(std::floor(high.x + BORDER_FRACTION), std::floor(high.y + BORDER_FRACTION));
+    return {first, last + Point2d(1, 1)};
+}
+
+Rect coveredRect(const MeshGrid& mesh, const FrameScale& canvas)
+{
+    const Rect2d bounds = coveredBounds(mesh, canvas);
+    for (const double value : {bounds.x, bounds.y, bounds.x + bounds.width, bounds.y + bounds.height})
+        if (!(std::abs(value) <= FARTHEST))
+            CV_Error(Error::StsOutOfRange, format("gcpw: a mesh of %g x %g px at (%g, %g) lies beyond any canvas", bounds.width,
+                                                  bounds.height, bounds.x, bounds.y));
+    return bounds;
 }
 
 void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const FrameScale& source, Rect roi, Mat& map,

@@ -26,7 +26,10 @@ struct FrameScale
     Point2d toFull(Point2d work) const { return {(work.x + 0.5) / x - 0.5, (work.y + 0.5) / y - 0.5}; }
 };
 
-/// Full-resolution canvas rectangle that holds every pixel whose centre the mesh covers.
+/// Full-resolution canvas rectangle that holds every pixel whose centre the mesh covers: whole numbers, however large.
+Rect2d coveredBounds(const MeshGrid& mesh, const FrameScale& canvas);
+
+/** @brief The same in int. @throws cv::Exception StsOutOfRange if the mesh reaches farther than 1e9 px or is not finite */
 Rect coveredRect(const MeshGrid& mesh, const FrameScale& canvas);
 
 /** @brief For every canvas pixel of `roi`, which point of the source it shows.

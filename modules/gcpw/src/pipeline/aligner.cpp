@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include "imaging/photograph.hpp"
 #include "model/inverse_map.hpp"
+#include "pipeline/aligner_check.hpp"
 #include "pipeline/image_graph.hpp"
 #include "pipeline/match_gate.hpp"
 #include "pipeline/pair_matcher.hpp"
@@ -83,6 +84,10 @@ CanvasImages gather(const std::vector<Point>& corners, InputArrayOfArrays image_
         canvas.full_sizes.push_back(photograph.image.size());
         if (canvas.scale < 1)
         {
+            const Size full = photograph.image.size();
+            if (cvRound(full.width * canvas.scale) < 1 || cvRound(full.height * canvas.scale) < 1)
+                CV_Error(Error::StsOutOfRange, format("gcpw: image %zu of %d x %d px vanishes at the working resolution; raise "
+                                                      "Params::workMegapix, which is %g", i, full.width, full.height, work_megapix));
             // The scale itself, not the rounded sizes, says where pixels lie: all images keep one canvas.
             Photograph small;
             resize(photograph.image, small.image, Size(), canvas.scale, canvas.scale, INTER_AREA);
@@ -96,6 +101,15 @@ CanvasImages gather(const std::vector<Point>& corners, InputArrayOfArrays image_
         canvas.work.push_back(photograph);
     }
     return canvas;
+}
+
+/// Corners as seen from one of them: where the caller's canvas has its origin must not matter.
+std::vector<Point> fromOrigin(const std::vector<Point>& corners, Point origin)
+{
+    std::vector<Point> moved;
+    for (const Point& corner : corners)
+        moved.push_back(corner - origin);
+    return moved;
 }
 
 Problem roughProblem(const CanvasImages& canvas, const std::vector<Point>& corners, const Params& params)
@@ -125,19 +139,6 @@ std::vector<Overlap> overlapsOf(const CanvasImages& canvas, const Problem& probl
     return withoutRepetition(findOverlaps(corners, masks, cvRound(period)), corners, masks, cvRound(period), COMPARISONS);
 }
 
-void checkKeypoints(const std::vector<KnownKeypoints>& keypoints, int images)
-{
-    if (!keypoints.empty())
-        CV_CheckEQ(static_cast<int>(keypoints.size()), images, "gcpw: Aligner::align() takes keypoints for each image, or none");
-    for (const KnownKeypoints& item : keypoints)
-    {
-        CV_CheckEQ(static_cast<int>(item.points.size()), item.descriptors.rows, "gcpw: one descriptor for each keypoint");
-        if (!item.points.empty() && (item.descriptors.cols != 128 || item.descriptors.channels() != 1 ||
-                                     (item.descriptors.depth() != CV_32F && item.descriptors.depth() != CV_8U)))
-            CV_Error(Error::StsBadArg, "gcpw: descriptors are SIFT's: 128 columns of CV_32F or CV_8U");
-    }
-}
-
 /// The keypoints that lie inside the mask, in working pixels.
 Keypoints toWork(const KnownKeypoints& known, const Photograph& work, const FrameScale& scale)
 {
@@ -145,9 +146,12 @@ Keypoints toWork(const KnownKeypoints& known, const Photograph& work, const Fram
     Mat descriptors;
     known.descriptors.convertTo(descriptors, CV_8U);
     const Rect inside(Point(), work.image.size());
+    const Rect2d around(-1, -1, inside.width + 1, inside.height + 1); // rounding stays within an int
     for (size_t i = 0; i < known.points.size(); ++i)
     {
         const Point2d p = scale.toWork(known.points[i]);
+        if (!around.contains(p))
+            continue;
         const Point pixel(cvRound(p.x), cvRound(p.y));
         if (!inside.contains(pixel) || (!work.mask.empty() && work.mask.at<uchar>(pixel) == 0))
             continue;
@@ -170,15 +174,11 @@ public:
     {
         const int64 start = getTickCount();
         const CanvasImages canvas = gather(corners, images, masks, params_.workMegapix);
-        CV_CheckLT(params_.referenceImage, canvas.count(), "gcpw: Params::referenceImage is not one of the images");
+        checkAlignerInput(corners, canvas.full_sizes, correspondences, keypoints, params_);
         const auto go_on = [&](const char* stage, double share) { return !progress || progress(stage, share); };
-        for (const Correspondences& item : correspondences)
-            for (const int image : {item.a, item.b})
-                if (image < 0 || image >= canvas.count())
-                    CV_Error(Error::StsOutOfRange, format("gcpw: correspondences name image %d; there are images 0 to %d", image,
-                                                          canvas.count() - 1));
-        checkKeypoints(keypoints, canvas.count());
-        Problem problem = roughProblem(canvas, corners, params_);
+        // That of the reference image if one is named, as alignPair() has it.
+        const Point origin = corners[std::max(params_.referenceImage, 0)];
+        Problem problem = roughProblem(canvas, fromOrigin(corners, origin), params_);
         const std::vector<Overlap> overlaps = overlapsOf(canvas, problem, params_.canvasPeriod * canvas.scale);
         if (params_.referenceImage != NO_REFERENCE)
             problem.images[params_.referenceImage >= 0 ? params_.referenceImage : mostCentral(canvas.count(), overlaps)].held = true;
@@ -207,8 +207,13 @@ public:
         }
         report.timings_ms.total = millisecondsSince(start);
         std::vector<Alignment::Image> result;
+        const Scalar back(origin.x * canvas.scale, origin.y * canvas.scale);
         for (int i = 0; i < canvas.count(); ++i)
+        {
             result.push_back(toImage(problem.images[i].rough, states[i], canvas.full_sizes[i]));
+            result.back().mesh += back;
+            result.back().rough += back;
+        }
         return Alignment(result, Size2d(canvas.scale, canvas.scale), report);
     }
 
@@ -263,7 +268,6 @@ private:
         MatchSet matches;
         for (const Correspondences& item : all)
         {
-            CV_CheckEQ(item.points_a.size(), item.points_b.size(), "gcpw: correspondences come in pairs of points");
             const bool straight = item.a == pair.a && item.b == pair.b;
             if (!straight && !(item.a == pair.b && item.b == pair.a))
                 continue;

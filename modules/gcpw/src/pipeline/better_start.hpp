@@ -4,7 +4,7 @@
 
 #include <vector>
 #include "model/image_state.hpp"
-#include "pipeline/problem.hpp"
+#include "pipeline/decorrelation.hpp"
 
 namespace cv
 {
@@ -19,14 +19,23 @@ enum class Candidate
     ROUGH    ///< the rough alignment
 };
 
+/// What was chosen, and how well it and the rough alignment line up.
+struct Choice
+{
+    Candidate best = Candidate::END;
+    std::vector<Decorrelation> before; ///< of the rough alignment, one for each pair
+    std::vector<Decorrelation> after;  ///< of the chosen one
+};
+
 /** @brief Chooses the alignment by which the images of a problem correlate best (decorrelations() over all pairs).
 
 The energy cannot tell: matches that are wrong together, or pixels that show something else, lower it while the picture gets
-worse. What is no better than an earlier candidate gives way to it. A mesh that moved out of proportion, or by which nothing
+worse. What is not clearly better than the rough alignment gives way to it, and so does an end that is clearly worse than the
+matches alone. A mesh that moved out of proportion, or by which nothing
 is left to be compared, is never chosen; where the rough alignment shows nothing to compare, the end is.
 @param end, matches the meshes that are judged */
-Candidate bestCandidate(const Problem& problem, const std::vector<ImageState>& end, const std::vector<ImageState>& matches,
-                        const std::vector<ImageState>& rough);
+Choice bestCandidate(const Problem& problem, const std::vector<ImageState>& end, const std::vector<ImageState>& matches,
+                     const std::vector<ImageState>& rough);
 
 } // namespace gcpw
 } // namespace cv

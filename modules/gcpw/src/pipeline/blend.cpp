@@ -30,7 +30,7 @@ Mat blendAverage(const PairCanvas& canvas)
 std::vector<Mat> cutSeam(const Mat (&images)[2], const Mat (&masks)[2])
 {
     const Size full = images[0].size();
-    const double scale = std::min(1.0, std::sqrt(SEAM_MEGAPIX * 1e6 / full.area()));
+    const double scale = std::min(1.0, std::sqrt(SEAM_MEGAPIX * 1e6 / static_cast<double>(images[0].total())));
     const Size size(std::max(cvRound(full.width * scale), 1), std::max(cvRound(full.height * scale), 1));
     std::vector<UMat> small(2);
     std::vector<UMat> cut(2);

@@ -14,7 +14,7 @@ namespace gcpw
 /** @brief How little two images correlate where they lie on each other: Score::zncc without rendering.
 
 Sums over windows of 5 x 5 pixels of the source, at the working resolution whatever the mesh, that both images cover and in
-which both have texture. Of a large image only bands of rows are read. */
+which both have texture. Of a large image only patches spread evenly are read. */
 struct Decorrelation
 {
     double sum = 0;     ///< of (1 - zero-mean NCC)^2 of the windows, each times its area on the canvas

@@ -23,9 +23,9 @@ FoldGuard::FoldGuard(const MeshGrid& rough, double min_share)
             bound_.push_back(min_share * rough.cornerArea(cell, k));
 }
 
-std::vector<int> FoldGuard::violated(const MeshGrid& mesh, const std::vector<Point2d>& step) const
+std::vector<int> FoldGuard::violated(const MeshGrid& mesh, const std::vector<Point2d>& step, double share) const
 {
-    const MeshGrid next = moved(mesh, step, 1);
+    const MeshGrid next = moved(mesh, step, share);
     std::vector<int> cells;
     for (int cell = 0; cell < mesh.lattice().cellCount(); ++cell)
     {
@@ -59,6 +59,7 @@ void FoldGuard::shorten(const MeshGrid& mesh, std::vector<Point2d>& step) const
 
 MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step, double share)
 {
+    CV_DbgAssert(step.size() == mesh.vertices().size());
     MeshGrid next = mesh;
     for (size_t i = 0; i < step.size(); ++i)
         next.vertices()[i] += share * step[i];

@@ -19,8 +19,10 @@ class FoldGuard
 public:
     FoldGuard(const MeshGrid& rough, double min_share);
 
-    /// The quads that a step would bring below the bound.
-    std::vector<int> violated(const MeshGrid& mesh, const std::vector<Point2d>& step) const;
+    /** @brief The quads that a share of a step would bring below the bound.
+
+    Area is quadratic in the share: a step that is legal as a whole need not be so half way. */
+    std::vector<int> violated(const MeshGrid& mesh, const std::vector<Point2d>& step, double share = 1) const;
 
     /// Shortens the step of the vertices around violated quads, and of no others, until nothing is violated.
     void shorten(const MeshGrid& mesh, std::vector<Point2d>& step) const;

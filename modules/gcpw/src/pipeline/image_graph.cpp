@@ -2,6 +2,7 @@
 #include "pipeline/image_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace cv
@@ -15,29 +16,59 @@ namespace
 const int MIN_AREA = 400;      ///< px: a smaller overlap holds no quad and says nothing
 const double MIN_SHARE = 0.01; ///< of the smaller image
 
-int sharedArea(Point corner_a, const Mat& a, Point corner_b, const Mat& b)
+/// What two images share, in the pixels of each of them.
+struct Shared
 {
-    const Rect shared = Rect(corner_a, a.size()) & Rect(corner_b, b.size());
-    return shared.area() < MIN_AREA ? 0 : countNonZero(a(shared - corner_a) & b(shared - corner_b));
+    Rect in_a;
+    Rect in_b;
+};
+
+/// @param shift_b px to the right at which b is seen
+Shared sharedOf(Point corner_a, Size a, Point corner_b, Size b, int64 shift_b)
+{
+    // In 64 bits: corners may lie anywhere. What is shared lies inside an image.
+    const int64 x = static_cast<int64>(corner_b.x) + shift_b - corner_a.x;
+    const int64 y = static_cast<int64>(corner_b.y) - corner_a.y;
+    const int64 left = std::max<int64>(x, 0);
+    const int64 top = std::max<int64>(y, 0);
+    const int64 width = std::min<int64>(x + b.width, a.width) - left;
+    const int64 height = std::min<int64>(y + b.height, a.height) - top;
+    if (width <= 0 || height <= 0)
+        return {};
+    const Size size(static_cast<int>(width), static_cast<int>(height));
+    return {Rect(Point(static_cast<int>(left), static_cast<int>(top)), size),
+            Rect(Point(static_cast<int>(left - x), static_cast<int>(top - y)), size)};
+}
+
+int sharedArea(const Shared& shared, const Mat& a, const Mat& b)
+{
+    const double area = static_cast<double>(shared.in_a.width) * shared.in_a.height;
+    return area < MIN_AREA ? 0 : countNonZero(a(shared.in_a) & b(shared.in_b));
+}
+
+/// The turns that bring x nearest to 0, which may be off by more than an int can say.
+int64 nearestTurns(int64 x, int period)
+{
+    return period > 0 ? static_cast<int64>(std::nearbyint(static_cast<double>(x) / period)) : 0;
 }
 
 } // namespace
 
 std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks, int period)
 {
-    CV_Assert(corners.size() == masks.size());
+    CV_Assert(corners.size() == masks.size() && period >= 0);
     std::vector<Overlap> overlaps;
     for (size_t i = 0; i < masks.size(); ++i)
         for (size_t j = i + 1; j < masks.size(); ++j)
         {
             // Corners may lie anywhere: the turns that bring b nearest to a, and one to either side of that.
-            const int nearest = period > 0 ? cvRound(static_cast<double>(corners[i].x - corners[j].x) / period) : 0;
-            for (int turns = nearest - (period > 0 ? 1 : 0); turns <= nearest + (period > 0 ? 1 : 0); ++turns)
+            const int64 nearest = nearestTurns(static_cast<int64>(corners[i].x) - corners[j].x, period);
+            for (int64 turns = nearest - (period > 0 ? 1 : 0); turns <= nearest + (period > 0 ? 1 : 0); ++turns)
             {
-                const int area = sharedArea(corners[i], masks[i], corners[j] + Point(turns * period, 0), masks[j]);
+                const int area = sharedArea(sharedOf(corners[i], masks[i].size(), corners[j], masks[j].size(), turns * period), masks[i], masks[j]);
                 const double smaller = static_cast<double>(std::min(masks[i].total(), masks[j].total()));
                 if (area >= MIN_AREA && area >= MIN_SHARE * smaller)
-                    overlaps.push_back({static_cast<int>(i), static_cast<int>(j), turns, area});
+                    overlaps.push_back({static_cast<int>(i), static_cast<int>(j), static_cast<int>(turns), area});
             }
         }
     return overlaps;
@@ -56,18 +87,19 @@ std::vector<Overlap> withoutRepetition(const std::vector<Overlap>& overlaps, con
     for (const size_t k : order)
     {
         const Overlap& overlap = overlaps[k];
-        const Point corner[2] = {corners[overlap.a], corners[overlap.b] + Point(overlap.turns_b * period, 0)};
         const int image[2] = {overlap.a, overlap.b};
-        const Rect shared = Rect(corner[0], masks[image[0]].size()) & Rect(corner[1], masks[image[1]].size());
-        const Mat both = masks[image[0]](shared - corner[0]) & masks[image[1]](shared - corner[1]);
+        const Shared shared = sharedOf(corners[overlap.a], masks[overlap.a].size(), corners[overlap.b], masks[overlap.b].size(),
+                                       static_cast<int64>(overlap.turns_b) * period);
+        const Rect part[2] = {shared.in_a, shared.in_b};
+        const Mat both = masks[overlap.a](part[0]) & masks[overlap.b](part[1]);
         for (int side = 0; side < 2; ++side)
         {
-            const Mat count = compared[image[side]](shared - corner[side]);
+            const Mat count = compared[image[side]](part[side]);
             taken[k] = taken[k] || 2 * countNonZero((count < enough) & both) > overlap.area;
         }
         for (int side = 0; side < 2 && taken[k]; ++side)
         {
-            Mat count = compared[image[side]](shared - corner[side]);
+            Mat count = compared[image[side]](part[side]);
             add(count, 1, count, both);
         }
     }

@@ -21,7 +21,8 @@ struct Overlap
 
 /** @brief Every pair of images that overlap enough to be aligned to each other, in ascending order.
 @param corners canvas position of each image  @param masks CV_8UC1, non-zero inside
-@param period px after which the canvas repeats in x; 0 if it does not. Two images may then meet on both sides */
+@param period px after which the canvas repeats in x, not less than the width of any image; 0 if it does not. Two images may
+then meet on both sides */
 std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::vector<Mat>& masks, int period = 0);
 
 /** @brief The overlaps that are worth comparing, in the same order.

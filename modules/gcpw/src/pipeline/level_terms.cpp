@@ -70,6 +70,11 @@ void LevelTerms::enterLevel(int level)
     });
     scale_ = problem_.images.front().pyramid[level].scale;
     shares_.clear();
+    fixed_.clear();
+    poured_.clear();
+    for (const PhotometricTerm& term : pixels_)
+        poured_.emplace_back(problem_.images[term.sourceImage()].rough.lattice().cellCount());
+    fixed_ = poured_;
     for (size_t k = 0; k < pixels_.size(); ++k)
     {
         const Lattice& lattice = problem_.images[pixels_[k].sourceImage()].rough.lattice();
@@ -91,10 +96,11 @@ void LevelTerms::anchor(size_t pixel_term, const MeshGrid& mesh, const std::vect
     anchors_.emplace_back(pixels_[pixel_term].sourceImage(), mesh, cells, params_.anchorWeight);
 }
 
-void LevelTerms::pourPixels(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies)
+PhotometricTerm::Energy LevelTerms::pourPixels(const std::vector<ImageState>& states, bool compare, ResidualSink& sink)
 {
+    PhotometricTerm::Energy total;
     buffers_.resize(SHARES_AT_ONCE);
-    double sums[SHARES_AT_ONCE];
+    PhotometricTerm::Energy sums[SHARES_AT_ONCE];
     for (size_t first = 0; first < shares_.size(); first += SHARES_AT_ONCE)
     {
         const int count = static_cast<int>(std::min(shares_.size() - first, static_cast<size_t>(SHARES_AT_ONCE)));
@@ -105,18 +111,30 @@ void LevelTerms::pourPixels(const std::vector<ImageState>& states, ResidualSink&
                 const Share& share = shares_[first + i];
                 const PhotometricTerm& term = pixels_[share.term];
                 buffers_[i].clear();
-                sums[i] = term.linearize(states, !problem_.images[term.targetImage()].held, pixel_loss_, share.cells, buffers_[i]);
+                const PhotometricTerm::Fixed before{fixed_states_, fixed_[share.term]};
+                sums[i] = term.linearize(states, !problem_.images[term.targetImage()].held, pixel_loss_, share.cells, buffers_[i],
+                                         compare ? &before : nullptr, poured_[share.term]);
             }
         }, count);
         for (int i = 0; i < count; ++i)
         {
-            energies.photometric += sums[i];
+            total.samples += sums[i].samples;
+            total.here += sums[i].here;
+            total.fixed += sums[i].fixed;
             buffers_[i].pourInto(sink);
         }
     }
+    return total;
 }
 
-void LevelTerms::pour(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies)
+void LevelTerms::fix(const std::vector<ImageState>& states)
+{
+    fixed_.swap(poured_);
+    fixed_states_ = states;
+}
+
+PhotometricTerm::Energy LevelTerms::pour(const std::vector<ImageState>& states, bool compare, ResidualSink& sink,
+                                         TermEnergies& energies)
 {
     for (size_t k = 0; k < problem_.pairs.size(); ++k)
     {
@@ -127,11 +145,13 @@ void LevelTerms::pour(const std::vector<ImageState>& states, ResidualSink& sink,
         if (!lines_.empty())
             energies.lines += lines_[k].linearize(a, b, match_loss_, sink);
     }
-    pourPixels(states, sink, energies);
+    const PhotometricTerm::Energy pixels = pourPixels(states, compare, sink);
+    energies.photometric += pixels.samples;
     for (const AnchorTerm& rest : rests_)
         energies.anchors += rest.linearize(states[rest.image()].mesh, sink);
     for (const AnchorTerm& anchor : anchors_)
         energies.anchors += anchor.linearize(states[anchor.image()].mesh, sink);
+    return pixels;
 }
 
 } // namespace gcpw

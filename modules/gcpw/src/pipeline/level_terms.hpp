@@ -39,8 +39,15 @@ public:
     /// Quads of an image that follow `anchor` from now on; their samples no longer move the mesh.
     void anchor(size_t pixel_term, const MeshGrid& mesh, const std::vector<int>& cells);
 
-    /// Pours all terms and adds their energies. Threads share the work; the sums do not depend on how many.
-    void pour(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies);
+    /** @brief Pours all terms and adds their energies. Threads share the work; the sums do not depend on how many.
+
+    What photometric terms fix (ColorTrust) holds for the steps from `states` once fix() is called.
+    @param compare whether the function fixed before is evaluated too
+    @return of the photometric terms: their samples' energy (as in `energies`), and of the functions fixed here and before */
+    PhotometricTerm::Energy pour(const std::vector<ImageState>& states, bool compare, ResidualSink& sink, TermEnergies& energies);
+
+    /// Takes what the last pour() fixed at `states` for the function to be minimised.
+    void fix(const std::vector<ImageState>& states);
 
 private:
     /// A part of a photometric term that one thread pours.
@@ -49,7 +56,7 @@ private:
         size_t term;
         Range cells;
     };
-    void pourPixels(const std::vector<ImageState>& states, ResidualSink& sink, TermEnergies& energies);
+    PhotometricTerm::Energy pourPixels(const std::vector<ImageState>& states, bool compare, ResidualSink& sink);
 
     const Problem& problem_;
     Recipe recipe_;
@@ -64,6 +71,9 @@ private:
     std::vector<AnchorTerm> rests_; ///< Params::restWeight; none in a pair
     std::vector<Share> shares_;
     std::vector<BlockBuffer> buffers_; ///< of the shares that are poured together
+    std::vector<ImageState> fixed_states_;
+    std::vector<std::vector<ColorTrust>> fixed_; ///< by pixel term and cell, at fixed_states_
+    std::vector<std::vector<ColorTrust>> poured_; ///< of the last pour()
 };
 
 } // namespace gcpw

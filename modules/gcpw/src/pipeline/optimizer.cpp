@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <opencv2/core/utility.hpp>
 #include "color/color_balance.hpp"
-#include "pipeline/better_start.hpp"
 #include "pipeline/region_guard.hpp"
 #include "terms/color_smoothness_term.hpp"
 
@@ -74,26 +73,21 @@ Optimizer::Optimizer(const Problem& problem, const Recipe& recipe, const Params&
     }
 }
 
-TermEnergies Optimizer::pour(LevelTerms& terms, const std::vector<ImageState>& states)
+Optimizer::Poured Optimizer::pour(LevelTerms& terms, const std::vector<ImageState>& states, bool compare)
 {
     system_.setZero();
     system_.addDamping(DAMPING);
-    TermEnergies energies;
-    terms.pour(states, system_, energies);
+    Poured poured;
+    const PhotometricTerm::Energy pixels = terms.pour(states, compare, system_, poured.terms);
     for (size_t i = 0; i < states.size(); ++i)
         if (!problem_.images[i].held)
-            energies.similarity += similarity_[i].linearize(states[i].mesh, system_);
+            poured.terms.similarity += similarity_[i].linearize(states[i].mesh, system_);
     if (recipe_.colors)
-        energies.color = system_.colors().regularEnergy(colorsOf(states));
-    return energies;
-}
-
-double Optimizer::similarityEnergy(const std::vector<ImageState>& states) const
-{
-    double energy = 0;
-    for (size_t i = 0; i < states.size(); ++i)
-        energy += problem_.images[i].held ? 0 : similarity_[i].energy(states[i].mesh);
-    return energy;
+        poured.terms.color = system_.colors().regularEnergy(colorsOf(states));
+    const double others = poured.terms.total() - poured.terms.photometric;
+    poured.here = others + pixels.here;
+    poured.fixed = others + pixels.fixed;
+    return poured;
 }
 
 SolveStatus Optimizer::safeStep(const std::vector<ImageState>& states, MeshStep& step)
@@ -116,7 +110,7 @@ SolveStatus Optimizer::safeStep(const std::vector<ImageState>& states, MeshStep&
                 guards_[i].shorten(states[i].mesh, step[i]);
             else
                 for (int cell : cells)
-                    similarity_[i].stiffen(cell, STIFFEN, states[i].mesh, system_);
+                    similarity_[i].stiffen(cell, STIFFEN, system_);
         }
         if (!folds || attempt == MAX_STIFFENINGS)
             return status;
@@ -128,6 +122,32 @@ bool Optimizer::tick()
     return !progress_ || progress_(std::min(1.0, static_cast<double>(ticks_++) / expected_ticks_));
 }
 
+bool Optimizer::folds(const std::vector<ImageState>& states, const MeshStep& step, double share) const
+{
+    for (size_t i = 0; i < states.size(); ++i)
+        if (!problem_.images[i].held && !guards_[i].violated(states[i].mesh, step[i], share).empty())
+            return true;
+    return false;
+}
+
+/// A share of a step, and how far it moves a vertex.
+double Optimizer::take(const std::vector<ImageState>& states, const MeshStep& step, const std::vector<ColorGrid>& colors,
+                       double share, std::vector<ImageState>& next) const
+{
+    next = states;
+    double motion = 0;
+    for (size_t i = 0; i < states.size(); ++i)
+    {
+        if (problem_.images[i].held)
+            continue;
+        next[i].mesh = moved(states[i].mesh, step[i], share);
+        motion = std::max(motion, maxVertexDistance(next[i].mesh, states[i].mesh));
+        if (recipe_.colors)
+            next[i].color = mixed(states[i].color, colors[i], share);
+    }
+    return motion;
+}
+
 Optimizer::LevelEnd Optimizer::runLevel(LevelTerms& terms, std::vector<ImageState>& states, int max_iterations,
                                         LevelReport& report)
 {
@@ -135,46 +155,55 @@ Optimizer::LevelEnd Optimizer::runLevel(LevelTerms& terms, std::vector<ImageStat
     report.scale = terms.scale();
     for (SimilarityTerm& term : similarity_)
         term.relax();
-    TermEnergies now = pour(terms, states);
-    report.start = report.end = now;
-    while (report.iterations < max_iterations && !report.converged)
+    Poured now = pour(terms, states, false);
+    terms.fix(states);
+    report.start = report.end = now.terms;
+    while (report.iterations < max_iterations)
     {
+        report.stop = StopReason::CANCELLED;
         if (!tick())
             return LevelEnd::Cancelled;
+        report.stop = StopReason::SINGULAR;
         MeshStep step;
+        std::vector<ColorGrid> colors = colorsOf(states);
+        // NotConverged is an answer here: conjugate gradients from zero lower the energy with every iteration, and the line
+        // search has the last word.
         if (safeStep(states, step) == SolveStatus::NotPositiveDefinite)
             return LevelEnd::Singular;
-        std::vector<ColorGrid> colors = colorsOf(states);
-        if (recipe_.colors && !terms.pixels().empty())
-            system_.solveColorsAfter(step, colors);
-        // Stiffened quads have changed the similarity energy of the present state.
-        const double before = now.total() - now.similarity + similarityEnergy(states);
+        if (recipe_.colors && !terms.pixels().empty() &&
+            system_.solveColorsAfter(step, colors) == SolveStatus::NotPositiveDefinite)
+            return LevelEnd::Singular;
+        ++report.iterations;
+        const double before = now.here;
         bool accepted = false;
         double motion = 0;
         double share = 1;
         for (int halving = 0; halving <= MAX_HALVINGS && !accepted; ++halving, share *= 0.5)
         {
-            std::vector<ImageState> next = states;
-            motion = 0;
-            for (size_t i = 0; i < states.size(); ++i)
-            {
-                if (problem_.images[i].held)
-                    continue;
-                next[i].mesh = moved(states[i].mesh, step[i], share);
-                motion = std::max(motion, maxVertexDistance(next[i].mesh, states[i].mesh));
-                if (recipe_.colors)
-                    next[i].color = mixed(states[i].color, colors[i], share);
-            }
-            now = pour(terms, next);
-            accepted = now.total() <= before;
+            if (share < 1 && folds(states, step, share)) // safeStep() has looked at the whole step
+                continue;
+            std::vector<ImageState> next;
+            motion = take(states, step, colors, share, next);
+            now = pour(terms, next, true);
+            accepted = now.fixed <= before;
             if (accepted)
                 states.swap(next);
         }
-        ++report.iterations;
-        if (accepted)
-            report.end = now;
-        report.converged = !accepted || motion < params_.stopMotion * terms.scale() ||
-                           before - now.total() < params_.stopGain * before;
+        report.stop = StopReason::NO_DESCENT;
+        if (!accepted)
+        {
+            system_.setZero(); // it was poured where the meshes are not
+            return LevelEnd::Done;
+        }
+        terms.fix(states);
+        report.end = now.terms;
+        report.stop = StopReason::MESH_STABLE;
+        if (motion < params_.stopMotion * terms.scale())
+            return LevelEnd::Done;
+        report.stop = StopReason::ENERGY_STABLE;
+        if (before - now.fixed < params_.stopGain * before)
+            return LevelEnd::Done;
+        report.stop = StopReason::ITERATION_LIMIT;
     }
     return LevelEnd::Done;
 }
@@ -229,7 +258,8 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
     for (size_t level = levels; level-- > 0;)
     {
         terms.enterLevel(static_cast<int>(level));
-        initColors(terms, states);
+        if (initColors(terms, states) == SolveStatus::NotPositiveDefinite)
+            return OptimizeStatus::PixelsSingular;
         const LevelEnd end = run_one(params_.maxIterations);
         if (end != LevelEnd::Done)
             return end == LevelEnd::Cancelled ? OptimizeStatus::Cancelled : OptimizeStatus::PixelsSingular;
@@ -243,15 +273,18 @@ OptimizeStatus Optimizer::runPyramid(LevelTerms& terms, std::vector<ImageState>&
     return OptimizeStatus::Done;
 }
 
-void Optimizer::initColors(LevelTerms& terms, std::vector<ImageState>& states)
+/// NotConverged is an answer: the colours are then better than before.
+SolveStatus Optimizer::initColors(LevelTerms& terms, std::vector<ImageState>& states)
 {
     if (!recipe_.colors)
-        return;
+        return SolveStatus::Solved;
     color_rest_.pull(compareColors(terms.pixels(), states), system_.colors());
     std::vector<ColorGrid> colors = colorsOf(states);
-    pour(terms, states);
-    system_.solveColors(colors);
-    setColors(colors, states);
+    pour(terms, states, false);
+    const SolveStatus status = system_.solveColors(colors);
+    if (status != SolveStatus::NotPositiveDefinite)
+        setColors(colors, states);
+    return status;
 }
 
 OptimizeStatus Optimizer::refine(LevelTerms& terms, std::vector<ImageState>& states, std::vector<LevelReport>& report)
@@ -267,7 +300,9 @@ OptimizeStatus Optimizer::refine(LevelTerms& terms, std::vector<ImageState>& sta
     OptimizeStatus status = recipe_.pixels ? runPyramid(terms, states, report) : OptimizeStatus::Done;
     if (status == OptimizeStatus::Cancelled)
         return status;
-    const Candidate best = bestCandidate(problem_, states, matched, rough);
+    // Without anchors pixels have the last word over matches; over the rough alignment nothing has.
+    choice_ = bestCandidate(problem_, states, params_.anchorWeight > 0 ? matched : states, rough);
+    const Candidate best = choice_.best;
     if (best == Candidate::END)
         return status;
     // The colours went with the meshes that are given up.
@@ -275,7 +310,8 @@ OptimizeStatus Optimizer::refine(LevelTerms& terms, std::vector<ImageState>& sta
     if (recipe_.pixels)
         terms.enterLevel(0);
     for (int pass = 0; pass < COLOR_PASSES; ++pass)
-        initColors(terms, states);
+        if (initColors(terms, states) == SolveStatus::NotPositiveDefinite)
+            break; // the colours of the pass before, or the photographs' own
     return best == Candidate::MATCHES ? OptimizeStatus::MatchesKept : OptimizeStatus::RoughKept;
 }
 
@@ -283,6 +319,7 @@ OptimizeStatus Optimizer::run(std::vector<ImageState>& states, std::vector<Level
                               const StepCallback& progress)
 {
     report.clear();
+    choice_ = Choice();
     progress_ = progress;
     ticks_ = 0;
     expected_ticks_ = params_.maxIterations * (recipe_.pixels ? params_.pyramidLevels + 2 : 1);

@@ -6,6 +6,7 @@
 #include <vector>
 #include "energy/joint_system.hpp"
 #include "opencv2/gcpw/alignment.hpp"
+#include "pipeline/better_start.hpp"
 #include "pipeline/color_rest.hpp"
 #include "pipeline/fold_guard.hpp"
 #include "pipeline/level_terms.hpp"
@@ -37,7 +38,9 @@ enum class OptimizeStatus
 4. What correlates no better than the matches' meshes or the start gives way to them (bestCandidate()), with colours of its own.
 5. Of more than two images: colours that are fit to be seen (balancedColors()).
 
-No step folds a quad, and no accepted step raises the energy. */
+No step folds a quad: the mesh is checked as it is taken. No accepted step raises the energy: weights that the colours of a
+quad have for what its samples are worth (ColorTrust) are fixed at each linearisation, and its step is judged by the function
+that was linearised. */
 class Optimizer
 {
 public:
@@ -46,6 +49,9 @@ public:
 
     /// @param states the start; receives the result  @param report one entry per level run
     OptimizeStatus run(std::vector<ImageState>& states, std::vector<LevelReport>& report, const StepCallback& progress);
+
+    /// How well the pairs line up before and after run(); empty if it chose between nothing.
+    const Choice& choice() const { return choice_; }
 
 private:
     enum class LevelEnd
@@ -61,10 +67,19 @@ private:
     LevelEnd runLevel(LevelTerms& terms, std::vector<ImageState>& states, int max_iterations, LevelReport& report);
     bool anchorWorse(LevelTerms& terms, const std::vector<ImageState>& states, const std::vector<ImageState>& start) const;
 
-    void initColors(LevelTerms& terms, std::vector<ImageState>& states);
-    TermEnergies pour(LevelTerms& terms, const std::vector<ImageState>& states);
+    /// Energies at the state that was poured last.
+    struct Poured
+    {
+        TermEnergies terms;
+        double here = 0;  ///< of the function that is linearised there
+        double fixed = 0; ///< of the function that LevelTerms::fix() had taken
+    };
+    Poured pour(LevelTerms& terms, const std::vector<ImageState>& states, bool compare);
+    SolveStatus initColors(LevelTerms& terms, std::vector<ImageState>& states);
     SolveStatus safeStep(const std::vector<ImageState>& states, MeshStep& step);
-    double similarityEnergy(const std::vector<ImageState>& states) const;
+    double take(const std::vector<ImageState>& states, const MeshStep& step, const std::vector<ColorGrid>& colors, double share,
+                std::vector<ImageState>& next) const;
+    bool folds(const std::vector<ImageState>& states, const MeshStep& step, double share) const;
     bool tick();
 
     const Problem& problem_;
@@ -75,6 +90,7 @@ private:
     std::vector<SimilarityTerm> similarity_;
     std::vector<FoldGuard> guards_;
     StepCallback progress_;
+    Choice choice_;
     int ticks_ = 0;
     int expected_ticks_ = 1;
 };

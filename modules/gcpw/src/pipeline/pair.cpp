@@ -4,6 +4,7 @@
 #include "geometry/homography.hpp"
 #include "imaging/photograph.hpp"
 #include "matching/rough_alignment.hpp"
+#include "pipeline/match_check.hpp"
 #include "pipeline/pair_matcher.hpp"
 #include "pipeline/result.hpp"
 
@@ -153,28 +154,6 @@ PairMatches find(const Photograph& source, const Photograph& target, const Param
                frames, found);
     found.timings_ms.homography = millisecondsSince(tick);
     return found;
-}
-
-void checkMatches(const PairMatches& matches, Size source, Size target)
-{
-    const auto checkSize = [](Size size, Size matched, const char* name)
-    {
-        if (size != matched)
-            CV_Error(Error::StsUnmatchedSizes, format("gcpw: the %s image is %d x %d px but was matched at %d x %d px", name,
-                                                      size.width, size.height, matched.width, matched.height));
-    };
-    checkSize(source, matches.source_size, "source");
-    checkSize(target, matches.target_size, "target");
-    CV_CheckEQ(matches.source_points.size(), matches.target_points.size(), "gcpw: matches come in pairs of points");
-    CV_CheckEQ(matches.source_lines.size(), matches.target_lines.size(), "gcpw: matches come in pairs of lines");
-    CV_CheckEQ(matches.source_lines.size(), matches.line_weights.size(), "gcpw: every matched line has a weight");
-    for (size_t i = 0; i < matches.source_lines.size(); ++i)
-    {
-        CV_CheckGT(matches.line_weights[i], 0.0, "gcpw: a matched line has a weight above 0");
-        for (const Vec4d& line : {matches.source_lines[i], matches.target_lines[i]})
-            if (line[0] == line[2] && line[1] == line[3])
-                CV_Error(Error::StsBadArg, format("gcpw: matched line %zu has no length; leave it out", i));
-    }
 }
 
 /// @param spent_ms on the matches

@@ -2,7 +2,6 @@
 #include "opencv2/gcpw/params.hpp"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace cv
@@ -24,34 +23,36 @@ struct Field
     bool low_included;
 };
 
-const double INF = std::numeric_limits<double>::max();
+const double HEAVIEST = 1e9; ///< of a weight: far beyond any use, and sums of squares stay exact enough to solve
+const double LONGEST = 1e9;  ///< px of a canvas that repeats: still fits an int
+const double LARGEST = 1e6;  ///< of a length or ratio: as good as endless
 
 const Field FIELDS[] = {
     {"meshCols", &Params::meshCols, nullptr, 2, 256, true},
     {"meshRows", &Params::meshRows, nullptr, 2, 256, true},
     {"workMegapix", nullptr, &Params::workMegapix, 0, 1000, false},
     {"referenceImage", &Params::referenceImage, nullptr, -2, 100000, true},
-    {"canvasPeriod", nullptr, &Params::canvasPeriod, 0, INF, true},
-    {"photometricWeight", nullptr, &Params::photometricWeight, 0, INF, true},
-    {"geometricWeight", nullptr, &Params::geometricWeight, 0, INF, true},
-    {"similarityWeight", nullptr, &Params::similarityWeight, 0, INF, false},
-    {"colorSmoothnessWeight", nullptr, &Params::colorSmoothnessWeight, 0, INF, false},
-    {"colorRestWeight", nullptr, &Params::colorRestWeight, 0, INF, false},
+    {"canvasPeriod", nullptr, &Params::canvasPeriod, 0, LONGEST, true},
+    {"photometricWeight", nullptr, &Params::photometricWeight, 0, HEAVIEST, true},
+    {"geometricWeight", nullptr, &Params::geometricWeight, 0, HEAVIEST, true},
+    {"similarityWeight", nullptr, &Params::similarityWeight, 0, HEAVIEST, false},
+    {"colorSmoothnessWeight", nullptr, &Params::colorSmoothnessWeight, 0, HEAVIEST, false},
+    {"colorRestWeight", nullptr, &Params::colorRestWeight, 0, HEAVIEST, false},
     {"sampleStep", &Params::sampleStep, nullptr, 1, 64, true},
-    {"lineStep", nullptr, &Params::lineStep, 0, INF, false},
+    {"lineStep", nullptr, &Params::lineStep, 0.1, LARGEST, true},
     {"pyramidLevels", &Params::pyramidLevels, nullptr, 1, 8, true},
     {"maxIterations", &Params::maxIterations, nullptr, 1, 1000, true},
-    {"stopMotion", nullptr, &Params::stopMotion, 0, INF, false},
+    {"stopMotion", nullptr, &Params::stopMotion, 0, LARGEST, false},
     {"stopGain", nullptr, &Params::stopGain, 0, 1, true},
     {"contrastFloor", nullptr, &Params::contrastFloor, 0, 1, true},
-    {"robustScale", nullptr, &Params::robustScale, 0, INF, true},
-    {"matchScale", nullptr, &Params::matchScale, 0, INF, true},
-    {"gainSupport", nullptr, &Params::gainSupport, 0, INF, true},
-    {"anchorWeight", nullptr, &Params::anchorWeight, 0, INF, true},
-    {"revertRatio", nullptr, &Params::revertRatio, 1, INF, true},
-    {"restWeight", nullptr, &Params::restWeight, 0, INF, true},
-    {"exposureWeight", nullptr, &Params::exposureWeight, 0, INF, true},
-    {"balanceWeight", nullptr, &Params::balanceWeight, 0, INF, true},
+    {"robustScale", nullptr, &Params::robustScale, 0, LARGEST, true},
+    {"gainSupport", nullptr, &Params::gainSupport, 0, HEAVIEST, true},
+    {"matchScale", nullptr, &Params::matchScale, 0, LARGEST, true},
+    {"anchorWeight", nullptr, &Params::anchorWeight, 0, HEAVIEST, true},
+    {"revertRatio", nullptr, &Params::revertRatio, 1, LARGEST, true},
+    {"restWeight", nullptr, &Params::restWeight, 0, HEAVIEST, true},
+    {"exposureWeight", nullptr, &Params::exposureWeight, 0, HEAVIEST, true},
+    {"balanceWeight", nullptr, &Params::balanceWeight, 0, HEAVIEST, true},
     {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
     {"contrastThreshold", nullptr, &Params::contrastThreshold, 0, 1, false},
     {"matchRatio", nullptr, &Params::matchRatio, 0, 1, false},
@@ -115,12 +116,14 @@ Params Params::paper()
     p.similarityWeight = 0.5;
     p.colorSmoothnessWeight = 1;
     p.sampleStep = 3;
+    p.maxIterations = 1000;
     p.stopGain = 0;
     p.contrastFloor = 0;
     p.robustScale = 0;
     p.matchScale = 0;
     p.gainSupport = 0;
     p.anchorWeight = 0;
+    p.restWeight = 0;
     p.exposureWeight = 0;
     p.balanceWeight = 0;
     p.guidedMatching = 0;
@@ -141,9 +144,7 @@ void Params::check() const
             continue;
         std::ostringstream message;
         message << "gcpw::Params::" << field.name << " is " << value << "; it must be "
-                << (field.low_included ? "at least " : "greater than ") << field.low;
-        if (field.high < INF)
-            message << " and at most " << field.high;
+                << (field.low_included ? "at least " : "greater than ") << field.low << " and at most " << field.high;
         CV_Error(Error::StsOutOfRange, message.str());
     }
 }

@@ -23,10 +23,11 @@ const int TILE = 1024;        ///< rows a remap call: bounds its temporaries
 /// Both images together, or an exception that names the size.
 Rect canvasRect(const MeshGrid& mesh, const FrameScale& scale, Size target)
 {
-    const Rect roi = coveredRect(mesh, scale) | Rect(Point(), target);
-    if (roi.width > MAX_SIDE || roi.height > MAX_SIDE || static_cast<double>(roi.width) * roi.height > MAX_AREA)
+    const Rect2d roi = coveredBounds(mesh, scale) | Rect2d(Point2d(), target);
+    // In double: a mesh that ran away is wider than an int can say.
+    if (!(roi.width <= MAX_SIDE && roi.height <= MAX_SIDE && roi.width * roi.height <= MAX_AREA))
         CV_Error(Error::StsOutOfRange,
-                 format("gcpw: the canvas would be %d x %d px, more than %d px a side or %.0f Mpx; scale the photographs down",
+                 format("gcpw: the canvas would be %.10g x %.10g px, more than %d px a side or %.0f Mpx; scale the photographs down",
                         roi.width, roi.height, MAX_SIDE, MAX_AREA / 1e6));
     return roi;
 }

@@ -89,8 +89,9 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
         CV_LOG_INFO(nullptr, "gcpw: " << report.message);
     measure(problem, states, report);
     report.pairs.resize(problem.pairs.size());
-    const std::vector<Decorrelation> before = decorrelations(problem, rough);
-    const std::vector<Decorrelation> after = decorrelations(problem, states);
+    const bool chosen = !optimizer.choice().before.empty();
+    const std::vector<Decorrelation> before = chosen ? optimizer.choice().before : decorrelations(problem, rough);
+    const std::vector<Decorrelation> after = chosen ? optimizer.choice().after : before;
     for (size_t k = 0; k < problem.pairs.size(); ++k)
     {
         const ProblemPair& pair = problem.pairs[k];

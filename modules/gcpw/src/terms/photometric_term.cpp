@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include "terms/sample_sums.hpp"
 
 namespace cv
 {
@@ -107,10 +106,28 @@ void PhotometricTerm::forEachInside(const std::vector<ImageState>& images, int c
     }
 }
 
-double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
-                                  Range cells, ResidualSink& sink) const
+namespace
 {
-    double total = 0;
+
+/// Squared residual of a sample as other colours would have it.
+double squaredResidual(const float* value, const PixelSample& pixel, const ColorGrid::Quad& mine, const ColorGrid::Quad& other)
+{
+    double squared = 0;
+    for (int c = 0; c < CHANNELS; ++c)
+    {
+        const double residual = mine[c].gain * value[c] + mine[c].bias - other[c].gain * pixel.value[c] - other[c].bias;
+        squared += residual * residual;
+    }
+    return squared;
+}
+
+} // namespace
+
+PhotometricTerm::Energy PhotometricTerm::linearize(const std::vector<ImageState>& images, bool target_moves,
+                                                   const RobustLoss& loss, Range cells, ResidualSink& sink,
+                                                   const Fixed* before, std::vector<ColorTrust>& weights) const
+{
+    Energy total;
     TargetLookup target(images[target_image_], target_shift_, target_moves);
     std::vector<std::pair<int, PartnerSums>> partners; // target cell, sums; a handful at most
     for (int cell = cells.start; cell < cells.end; ++cell)
@@ -118,6 +135,9 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
         SampleSums sums;
         partners.clear();
         double energy = 0;
+        double former_energy = 0; // with the colours of the linearisation before
+        const ColorGrid::Quad* former = before ? &before->images[source_image_].color.quad(cell) : nullptr;
+        const double former_share = before ? 1 - before->weights[cell].trust : 0;
         forEachInside(images, cell, target,
                       [&](const Sample& sample, const PixelSample& pixel, const double* residual, double squared)
         {
@@ -131,6 +151,9 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
             target.gradient(pixel, linear.gx, linear.gy);
             linear.weight = loss.weight(squared) * sample.importance;
             energy += loss.value(squared);
+            if (former_share > 0)
+                former_energy += loss.value(sample.importance * squaredResidual(sample.value, pixel, *former,
+                                            before->images[target_image_].color.quad(target.point().cell)));
             sums.add(sample.weight, linear);
             if (!target_moves)
                 return;
@@ -141,18 +164,26 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
                 partner = partners.insert(partner, {other, PartnerSums()});
             partner->second.add(sample.weight, target.point().weight.data(), linear);
         });
+        total.samples += options_.weight * energy;
+        if (before)
+            total.fixed += options_.weight * ((1 - former_share) * energy + former_share * former_energy) +
+                           before->weights[cell].extras(images[source_image_].color.quad(cell), images[target_image_].color);
+        weights[cell].clear();
         if (sums.samples() == 0)
             continue;
         ColoredBlock block = sums.block(options_.weight);
         block.energy = options_.weight * energy;
         const ColorGrid::Quad& now = images[source_image_].color.quad(cell);
         const bool judged = options_.gain_support > 0;
-        const double trust = judged ? sums.judgeColors(now, options_.weight, target_moves ? 0 : options_.gain_support, block) : 1;
+        ColorTrust& fixed = weights[cell];
+        if (judged)
+            sums.judgeColors(now, options_.weight, target_moves ? 0 : options_.gain_support, block, fixed);
         for (const std::pair<int, PartnerSums>& partner : partners)
         {
             PartnerBlock other = partner.second.block(options_.weight);
             if (judged)
-                partner.second.judgeColors(now, images[target_image_].color.quad(partner.first), options_.weight, trust, block, other);
+                fixed.partners.push_back({partner.first, partner.second.judgeColors(now, images[target_image_].color.quad(partner.first),
+                                                                                   options_.weight, fixed.trust, block, other)});
             if (frozen_[cell])
             {
                 other.cross = other.mesh_mesh = QuadBlock{};
@@ -160,7 +191,7 @@ double PhotometricTerm::linearize(const std::vector<ImageState>& images, bool ta
             }
             sink.addPartner({source_image_, cell}, {target_image_, partner.first}, other);
         }
-        total += block.energy;
+        total.here += block.energy;
         if (frozen_[cell])
         {
             block.mesh_mesh = QuadBlock{};

@@ -8,6 +8,7 @@
 #include "imaging/sampler.hpp"
 #include "model/image_state.hpp"
 #include "terms/color_moments.hpp"
+#include "terms/sample_sums.hpp"
 #include "terms/target_lookup.hpp"
 
 namespace cv
@@ -44,11 +45,34 @@ public:
     int sourceImage() const { return source_image_; }
     int targetImage() const { return target_image_; }
 
+    /// The function that a linearisation fixed (see ColorTrust).
+    struct Fixed
+    {
+        const std::vector<ImageState>& images;  ///< at which it was linearised
+        const std::vector<ColorTrust>& weights; ///< by cell
+    };
+
+    struct Energy
+    {
+        double samples = 0; ///< E_p
+        double here = 0;    ///< of the function that is fixed here
+        double fixed = 0;   ///< of the function that was fixed before
+    };
+
     /** @brief Pours one ColoredBlock per quad with samples and, if the target moves, its PartnerBlocks.
     @param cells quads of the source to pour; several threads may share a term
-    @return the robust energy */
+    @param before the function to evaluate beside, or null
+    @param weights by cell; receives the function that is fixed here, for the cells poured */
+    Energy linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss, Range cells,
+                     ResidualSink& sink, const Fixed* before, std::vector<ColorTrust>& weights) const;
+
+    /// The same for its energy `here` alone.
     double linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss, Range cells,
-                     ResidualSink& sink) const;
+                     ResidualSink& sink) const
+    {
+        std::vector<ColorTrust> weights(lattice_.cellCount());
+        return linearize(images, target_moves, loss, cells, sink, nullptr, weights).here;
+    }
     /// All quads.
     double linearize(const std::vector<ImageState>& images, bool target_moves, const RobustLoss& loss,
                      ResidualSink& sink) const

@@ -131,10 +131,14 @@ SampleSums::Likeness SampleSums::likeness(int channel, double gain) const
     return result;
 }
 
-double SampleSums::judgeColors(const ColorGrid::Quad& now, double weight, double support, ColoredBlock& block) const
+void SampleSums::judgeColors(const ColorGrid::Quad& now, double weight, double support, ColoredBlock& block,
+                             ColorTrust& fixed) const
 {
+    fixed.clear();
     if (!(color_[0][2] > 0))
-        return 1;
+        return;
+    const Likeness luma = likeness(0, now[0].gain);
+    const double trust = trustIn(luma.variance, luma.target_variance, luma.correlation);
     for (int c = 0; c < 3; ++c)
     {
         const Likeness like = likeness(c, now[c].gain);
@@ -145,10 +149,11 @@ double SampleSums::judgeColors(const ColorGrid::Quad& now, double weight, double
         const double stiffness = weight * support * unlike * color_[c][2] * like.variance;
         block.color_color[c][0] += stiffness;
         block.color_gradient[c][0] += stiffness * (now[c].gain - wanted);
-        block.energy += stiffness * (now[c].gain - wanted) * (now[c].gain - wanted);
+        fixed.support[c] = trust * stiffness;
+        fixed.wanted[c] = wanted;
+        block.energy += fixed.support[c] * (now[c].gain - wanted) * (now[c].gain - wanted);
     }
-    const Likeness luma = likeness(0, now[0].gain);
-    const double trust = trustIn(luma.variance, luma.target_variance, luma.correlation);
+    fixed.trust = trust;
     for (auto& row : block.mesh_color)
         for (double& value : row)
             value *= trust;
@@ -159,7 +164,6 @@ double SampleSums::judgeColors(const ColorGrid::Quad& now, double weight, double
         for (double& value : block.color_gradient[c])
             value *= trust;
     }
-    return trust;
 }
 
 GCPW_WIDE_VECTORS void PartnerSums::add(const float* corner_weight, const double* partner_weight, const LinearSample& s)
@@ -229,9 +233,10 @@ PartnerBlock PartnerSums::block(double weight) const
     return block;
 }
 
-void PartnerSums::judgeColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight, double trust,
-                              ColoredBlock& own, PartnerBlock& other) const
+std::array<double, 3> PartnerSums::judgeColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight,
+                                               double trust, ColoredBlock& own, PartnerBlock& other) const
 {
+    std::array<double, 3> lacking{};
     for (int c = 0; c < 3; ++c)
     {
         const double* s = color_[c];
@@ -242,7 +247,8 @@ void PartnerSums::judgeColors(const ColorGrid::Quad& now, const ColorGrid::Quad&
         other.color_gradient[c][0] -= missing * now[c].gain;
         // The own side of these samples has been trusted already.
         own.color_gradient[c][0] -= trust * missing * now_other[c].gain;
-        own.energy -= 2 * missing * now[c].gain * now_other[c].gain;
+        lacking[c] = trust * missing;
+        own.energy -= 2 * lacking[c] * now[c].gain * now_other[c].gain;
         for (double& value : other.color_cross[c])
             value *= trust;
         for (double& value : other.color_color[c])
@@ -250,6 +256,7 @@ void PartnerSums::judgeColors(const ColorGrid::Quad& now, const ColorGrid::Quad&
         for (double& value : other.color_gradient[c])
             value *= trust;
     }
+    return lacking;
 }
 
 } // namespace gcpw

@@ -2,6 +2,8 @@
 #ifndef OPENCV_GCPW_SAMPLE_SUMS_HPP
 #define OPENCV_GCPW_SAMPLE_SUMS_HPP
 
+#include <array>
+#include <vector>
 #include "energy/residual_sink.hpp"
 #include "model/color_grid.hpp"
 
@@ -21,6 +23,46 @@ struct LinearSample
     double mine[3];   ///< source intensities before correction
     double theirs[3]; ///< target intensities before correction
     double weight;    ///< of the squared residual
+};
+
+/** @brief How far the samples of a quad are heard about its colour.
+
+Chosen where they are linearised and fixed until the next linearisation, so that the step and its line search see one
+function: with E the energy of the samples, c the colours and c_0 those of the linearisation,
+
+    trust E(c) + (1 - trust) E(c_0) + sum_c support_c (G_c - wanted_c)^2 - 2 sum_partners sum_c missing_c G_c G'_c
+
+Its value, gradient and Hessian at the linearisation are what SampleSums and PartnerSums make of E. */
+struct ColorTrust
+{
+    struct Partner
+    {
+        int target_cell;
+        std::array<double, 3> missing; ///< see PartnerSums::judgeColors(); weight and trust included
+    };
+    double trust = 1;
+    std::array<double, 3> support{}; ///< weight and trust included
+    std::array<double, 3> wanted{};  ///< gains
+    std::vector<Partner> partners;
+
+    void clear()
+    {
+        trust = 1;
+        support.fill(0);
+        partners.clear(); // keeps its memory
+    }
+
+    /// All but the samples' own energy.
+    double extras(const ColorGrid::Quad& color, const ColorGrid& target) const
+    {
+        double energy = 0;
+        for (int c = 0; c < CHANNELS; ++c)
+            energy += support[c] * (color[c].gain - wanted[c]) * (color[c].gain - wanted[c]);
+        for (const Partner& partner : partners)
+            for (int c = 0; c < CHANNELS; ++c)
+                energy -= 2 * partner.missing[c] * color[c].gain * target.quad(partner.target_cell)[c].gain;
+        return energy;
+    }
 };
 
 /** @brief Running sums over the samples of one quad, folded out into a ColoredBlock at the end.
@@ -43,12 +85,12 @@ public:
 
         E_v = weight * support * sum_c (1 - rho_c^2) n var(I_c) (G_c - sd(T_c) / sd(I_c))^2
 
-    and all the quad says of its colour counts by max(rho_Y, 0)^2, so that its neighbours decide.
+    and all the quad says of its colour, E_v too, counts by max(rho_Y, 0)^2, so that its neighbours decide.
     @param now colours at which the samples were taken
     @param support 0 leaves out E_v
-    @param block of these samples; receives the energy E_v
-    @return the factor on what is said of colour */
-    double judgeColors(const ColorGrid::Quad& now, double weight, double support, ColoredBlock& block) const;
+    @param block of these samples; receives E_v
+    @param fixed receives the choice */
+    void judgeColors(const ColorGrid::Quad& now, double weight, double support, ColoredBlock& block, ColorTrust& fixed) const;
 
 private:
     double curvature_[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
@@ -78,9 +120,10 @@ public:
     means and contrasts, n ((G m + B - G' m' - B')^2 + (G sd(I) - G' sd(I'))^2), which is least squares of samples that
     correlate fully: the covariance is replaced by sd(I) sd(I').
     @param trust factor on what is said of colour, SampleSums::judgeColors()
-    @param own, other of these samples; both change */
-    void judgeColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight, double trust,
-                     ColoredBlock& own, PartnerBlock& other) const;
+    @param own, other of these samples; both change
+    @return what the covariance lacks, per channel, times weight and trust */
+    std::array<double, 3> judgeColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight, double trust,
+                                      ColoredBlock& own, PartnerBlock& other) const;
 
 private:
     double cross_[4][4][3] = {};   ///< sum w_k w'_m (xx, xy, yy)

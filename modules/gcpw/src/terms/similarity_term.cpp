@@ -38,6 +38,14 @@ void addTriangle(const MeshGrid& rough, int cell, const int (&corners)[3], doubl
             block[i][j] += weight * (x[i] * x[j] + y[i] * y[j]);
 }
 
+QuadBlock scaled(QuadBlock block, double factor)
+{
+    for (auto& row : block)
+        for (double& value : row)
+            value *= factor;
+    return block;
+}
+
 } // namespace
 
 SimilarityTerm::SimilarityTerm(int image, const MeshGrid& rough, double weight)
@@ -51,7 +59,7 @@ SimilarityTerm::SimilarityTerm(int image, const MeshGrid& rough, double weight)
     }
 }
 
-double SimilarityTerm::pourQuad(int cell, double factor, const MeshGrid& mesh, ResidualSink& sink) const
+double SimilarityTerm::slope(int cell, const MeshGrid& mesh, QuadRow& gradient) const
 {
     QuadRow x{};
     // The block ignores a shift of the whole quad: taking corner 0 as origin keeps the numbers small.
@@ -62,19 +70,14 @@ double SimilarityTerm::pourQuad(int cell, double factor, const MeshGrid& mesh, R
         x[2 * k] = v.x;
         x[2 * k + 1] = v.y;
     }
-    QuadBlock block = quads_[cell].block;
-    QuadRow gradient{};
+    gradient = QuadRow{};
     double energy = 0;
     for (int i = 0; i < 8; ++i)
     {
         for (int j = 0; j < 8; ++j)
-        {
-            block[i][j] *= factor;
-            gradient[i] += block[i][j] * x[j];
-        }
+            gradient[i] += quads_[cell].block[i][j] * x[j];
         energy += gradient[i] * x[i];
     }
-    sink.addBlock({image_, cell}, block, gradient, energy);
     return energy;
 }
 
@@ -82,14 +85,22 @@ double SimilarityTerm::linearize(const MeshGrid& mesh, ResidualSink& sink) const
 {
     double total = 0;
     for (int cell = 0; cell < static_cast<int>(quads_.size()); ++cell)
-        total += pourQuad(cell, quads_[cell].factor, mesh, sink);
+    {
+        QuadRow gradient;
+        const double energy = slope(cell, mesh, gradient);
+        sink.addBlock({image_, cell}, scaled(quads_[cell].block, quads_[cell].factor), gradient, energy);
+        total += energy;
+    }
     return total;
 }
 
 double SimilarityTerm::energy(const MeshGrid& mesh) const
 {
-    NullSink nothing;
-    return linearize(mesh, nothing);
+    double total = 0;
+    QuadRow ignored;
+    for (int cell = 0; cell < static_cast<int>(quads_.size()); ++cell)
+        total += slope(cell, mesh, ignored);
+    return total;
 }
 
 void SimilarityTerm::relax()
@@ -98,10 +109,10 @@ void SimilarityTerm::relax()
         quad.factor = 1;
 }
 
-void SimilarityTerm::stiffen(int cell, double factor, const MeshGrid& mesh, ResidualSink& sink)
+void SimilarityTerm::stiffen(int cell, double factor, ResidualSink& sink)
 {
     const double next = std::min(quads_[cell].factor * factor, MAX_FACTOR);
-    pourQuad(cell, next - quads_[cell].factor, mesh, sink);
+    sink.addBlock({image_, cell}, scaled(quads_[cell].block, next - quads_[cell].factor), QuadRow{}, 0);
     quads_[cell].factor = next;
 }
 

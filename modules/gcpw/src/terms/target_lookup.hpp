@@ -60,13 +60,20 @@ public:
     A quad without area has no inverse; there the gradient is zero, so the sample moves nothing. */
     void gradient(const PixelSample& pixel, double* gx, double* gy) const
     {
-        const Matx22d inverse = at_rest_ ? Matx22d::eye() : inverseOf(state_.mesh.jacobian(point_));
         for (int c = 0; c < CHANNELS; ++c)
         {
-            const double dx = color()[c].gain * pixel.dx[c];
-            const double dy = color()[c].gain * pixel.dy[c];
-            gx[c] = at_rest_ ? dx : dx * inverse(0, 0) + dy * inverse(1, 0);
-            gy[c] = at_rest_ ? dy : dx * inverse(0, 1) + dy * inverse(1, 1);
+            gx[c] = color()[c].gain * pixel.dx[c];
+            gy[c] = color()[c].gain * pixel.dy[c];
+        }
+        if (at_rest_)
+            return;
+        const Matx22d inverse = inverseOf(state_.mesh.jacobian(point_));
+        for (int c = 0; c < CHANNELS; ++c)
+        {
+            const double dx = gx[c];
+            const double dy = gy[c];
+            gx[c] = dx * inverse(0, 0) + dy * inverse(1, 0);
+            gy[c] = dx * inverse(0, 1) + dy * inverse(1, 1);
         }
     }
 

@@ -16,8 +16,8 @@ namespace gcpw
 struct CV_EXPORTS Correspondences
 {
     int a = 0; //!< index of the one image
-    int b = 1; //!< index of the other
-    std::vector<Point2f> points_a;
+    int b = 1; //!< index of the other, not a
+    std::vector<Point2f> points_a; //!< finite, as all points here
     std::vector<Point2f> points_b; //!< as many as points_a; wrong ones are found and left out
 };
 
@@ -42,14 +42,15 @@ public:
     /** @brief Aligns images that a rough alignment has already warped onto one canvas.
 
     The first three arguments are those of cv::detail::ExposureCompensator::feed.
-    @param corners canvas position of the top-left pixel of each image
+    @param corners canvas position of the top-left pixel of each image; moving all of them moves the result and no more
     @param images 8-bit BGR, gray or BGRA
     @param masks CV_8UC1 of the same sizes, non-zero inside; an empty vector means everywhere
     @param correspondences matches known already; where none are given for any pair, they are found here
     @param progress may be empty; cancelling returns the rough alignment with Status::CANCELLED
     @param keypoints one entry for each image, or none; where an entry is empty, they are found here
     @return meshes at rest with a status other than OK where the refinement had no answer
-    @throws cv::Exception if counts, sizes or types do not fit */
+    @throws cv::Exception before any work, if counts, sizes or types do not fit, a value is not finite, the canvas would exceed
+    2^20 px a side or Params::canvasPeriod is narrower than an image */
     virtual Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks,
                             const std::vector<Correspondences>& correspondences = std::vector<Correspondences>(),
                             const Progress& progress = Progress(),

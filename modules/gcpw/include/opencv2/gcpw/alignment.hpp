@@ -41,6 +41,17 @@ struct CV_EXPORTS TermEnergies
     double total() const { return photometric + points + lines + anchors + similarity + color; }
 };
 
+/// Why the iterations on a level ended.
+enum class StopReason
+{
+    ITERATION_LIMIT = 0, //!< Params::maxIterations, or the few iterations that the step of the method asks for
+    MESH_STABLE = 1,     //!< no vertex moved farther than Params::stopMotion
+    ENERGY_STABLE = 2,   //!< the energy sank by less than Params::stopGain
+    NO_DESCENT = 3,      //!< no part of the step lowers the energy, or each folds a quad: the last state is the result
+    SINGULAR = 4,        //!< the equations had no answer; the last good state was kept
+    CANCELLED = 5        //!< the progress callback said stop
+};
+
 /// What happened on one pyramid level.
 struct CV_EXPORTS LevelReport
 {
@@ -48,7 +59,7 @@ struct CV_EXPORTS LevelReport
     int iterations = 0;
     TermEnergies start; //!< after the colours were initialised (eq. initialfunction)
     TermEnergies end;
-    bool converged = false; //!< ended because the mesh was stable, not by the iteration limit
+    StopReason stop = StopReason::ITERATION_LIMIT; //!< why it ended
 };
 
 /// How well two images line up; lower is better, 0 is perfect, NaN where nothing could be compared.
@@ -111,14 +122,18 @@ public:
     };
 
     Alignment() = default;
-    Alignment(const std::vector<Image>& images, Size2d canvas_scale, const Report& report)
-        : images_(images), canvas_scale_(canvas_scale), report_(report)
-    {
-    }
+
+    /** @param images none, or images of sizes of at least 1 px, of 2..256 quads a side and of finite values
+    @param canvas_scale see canvasScale(), finite and > 0
+    @param report how they came about
+    @throws cv::Exception that names the image and the part of it that is not as described at Image */
+    Alignment(const std::vector<Image>& images, Size2d canvas_scale, const Report& report);
 
     bool ok() const { return report_.status == Status::OK; }
     int imageCount() const { return static_cast<int>(images_.size()); }
-    const Image& image(int index) const { return images_.at(static_cast<size_t>(index)); }
+
+    /// @throws cv::Exception StsOutOfRange if there is no such image
+    const Image& image(int index) const;
 
     /// Working canvas pixels per full-resolution canvas pixel, x and y.
     Size2d canvasScale() const { return canvas_scale_; }
@@ -129,7 +144,7 @@ public:
     Alignment rough() const;
 
     /** @brief Writes everything that rendering needs: .yml, .xml or .json, with .gz compressed. Numbers are kept exactly.
-    @throws cv::Exception StsError if the file cannot be written */
+    @throws cv::Exception StsError if not all of it can be written; a file that was there before is kept then */
     void save(const std::string& path) const;
 
     /// @throws cv::Exception StsError if there is no such file, StsParseError if it is not an alignment; both name the file

@@ -49,7 +49,7 @@ public:
     void getMatGains(std::vector<Mat>& gains) CV_OVERRIDE;
 
     /// Of the same type; while the fallback is in use, all other types go to it.
-    /// @throws cv::Exception if a Mat is not of that type
+    /// @throws cv::Exception if a Mat is not of that type, empty or not finite; nothing is changed then
     void setMatGains(std::vector<Mat>& gains) CV_OVERRIDE;
 
     /// Used by feed() and apply() where neither a rig nor colours of its own are at hand.

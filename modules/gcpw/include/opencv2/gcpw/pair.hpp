@@ -31,7 +31,7 @@ were matched: then the pixels are compared as the copies show them, and renderPa
 @param source, target as above, of the sizes that `matches` names
 @param matches from findPairMatches(), or the caller's own. The methods use of them what they know: Method::CPW no lines,
 Method::GLOBAL only the homography
-@throws cv::Exception also if sizes or counts of the matches do not fit */
+@throws cv::Exception also if sizes, counts or values of the matches are not as PairMatches says, before any work */
 CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const PairMatches& matches, const Params& params = Params(),
                                const Progress& progress = Progress());
 

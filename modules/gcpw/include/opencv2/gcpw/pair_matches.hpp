@@ -18,20 +18,20 @@ namespace gcpw
 
 Found once by findPairMatches(), it serves any number of calls of alignPair(): other parameters, recoloured or filtered
 copies of the photographs, the next frame of a rig. A caller with a matcher of his own may fill it in himself.
-Positions are pixels of the photographs at full resolution. */
+Positions are pixels of the photographs at full resolution, finite and at most 2^20. */
 struct CV_EXPORTS PairMatches
 {
     Status status = Status::OK; //!< OK, NO_ALIGNMENT or CANCELLED
     std::string message;        //!< empty, or why the status is not OK
     Size source_size;
     Size target_size;
-    Matx33d target_from_source = Matx33d::eye(); //!< the rough homography
+    Matx33d target_from_source = Matx33d::eye(); //!< the rough homography; keeps the whole source upright, enlarged or reduced up to 1000 times
 
     std::vector<Point2d> source_points;
     std::vector<Point2d> target_points; //!< partner of each of source_points
     std::vector<Vec4d> source_lines;    //!< segments as x, y of the start, x, y of the end; they match as endless lines
     std::vector<Vec4d> target_lines;    //!< partner of each of source_lines
-    std::vector<double> line_weights;   //!< > 0, one for each line; a point has weight 1
+    std::vector<double> line_weights;   //!< > 0 and at most 1e9, one for each line; a point has weight 1
 
     Timings timings_ms; //!< features and homography only
 };

@@ -26,13 +26,17 @@ enum class Method
 
 /** @brief Every constant of the method. Defaults are measured (see doc/results.md); paper() has the paper's values.
 
-Lengths are pixels of the working resolution (workMegapix), intensities lie in [0, 1]. */
+Lengths are pixels of the working resolution (workMegapix), intensities lie in [0, 1]. Where no upper bound stands, it is 1e9 for
+a weight and 1e6 for anything else. */
 struct CV_EXPORTS_W_SIMPLE Params
 {
     /// The defaults. OpenCV's binding generator reads no initialiser of a member, so the constructor sets them all.
     CV_WRAP Params();
 
-    /// The constants of the paper and none of the additions: exactly its section 2.
+    /** @brief The constants of its section 2, and iterations until the mesh is stable.
+
+    All additions that a member can switch off are off. What stays: matches are filtered, no quad folds (minQuadArea), and the
+    result is compared with the rough alignment. */
     CV_WRAP static Params paper();
 
     /// Throws cv::Exception (StsOutOfRange) that names the first member out of its range, its value and the range.
@@ -59,7 +63,8 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name Canvas
     //! @{
-    CV_PROP_RW double canvasPeriod; ///< px of the given canvas after which x repeats (360 degrees); 0: never; default 0
+    /// px of the given canvas after which x repeats (360 degrees), at least the widest image; 0: never; default 0
+    CV_PROP_RW double canvasPeriod;
     //! @}
 
     //! @name Weights of the terms (eq. totalfunction)
@@ -74,7 +79,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @name Sampling
     //! @{
     CV_PROP_RW int sampleStep;    ///< px between photometric samples, on every pyramid level, 1..64; default 2
-    CV_PROP_RW double lineStep;   ///< px between samples of a line, > 0; default 5
+    CV_PROP_RW double lineStep;   ///< px between samples of a line, at least 0.1; default 5
     CV_PROP_RW int pyramidLevels; ///< Gaussian pyramid levels, 1..8; default 3
     //! @}
 

@@ -32,11 +32,19 @@ struct CV_EXPORTS Rig
     /// Whether there is a refinement to render: status OK and one mesh for each camera.
     bool usable() const;
 
+    /** @brief Refuses a rig that says it is refined but cannot be rendered; one without a refinement always passes.
+
+    Called by whatever takes a rig. With status OK and images: as many cameras as images, each with an R of 3 x 3 finite values,
+    a finite focal length and aspect > 0 and a finite principal point; `image_sizes`, `component` and `turns` each empty or
+    one for each image: sizes of 1 px or more, indices from 0 on and none twice, turns of at most one circle; finite scales > 0.
+    @throws cv::Exception that names the member and its value */
+    void check() const;
+
     /// Whether these are the very cameras of the rig: intrinsics and rotations equal bit for bit (R as CV_32F).
     bool fits(const std::vector<cv::detail::CameraParams>& others) const;
 
     /** @brief Writes everything to a file: .yml, .xml or .json, with .gz compressed. Numbers are kept exactly.
-    @throws cv::Exception StsError if the file cannot be written */
+    @throws cv::Exception StsError if not all of it can be written; a file that was there before is kept then */
     void save(const std::string& path) const;
 
     /** @throws cv::Exception StsError if there is no such file, StsParseError if it is not a rig; both name the file */

@@ -27,8 +27,8 @@ public:
     /// The present rig; its alignment's report says how it came about, or why the plain warper was used instead.
     virtual const Rig& rig() const = 0;
 
-    /// A rig estimated before, by this or another process. Used as long as the stitcher's cameras are those of the rig. If it
-    /// cannot be used at all (cv::Exception), the present one stays.
+    /** @brief A rig estimated before, by this or another process. Used as long as the stitcher's cameras are those of the rig.
+    @throws cv::Exception see Rig::check(); the old rig is kept then */
     virtual void setRig(const Rig& rig) = 0;
 
     /** @brief Images to estimate from where the stitcher sees none: after Stitcher::setTransform() without a rig.

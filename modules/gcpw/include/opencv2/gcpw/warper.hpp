@@ -28,7 +28,8 @@ it is what INTER_NEAREST and BORDER_CONSTANT come with. An R that the rig does n
 
 The mesh moves the base warper's canvas, so it is the same picture at every scale. An image that straddles the seam of a
 360-degree panorama keeps the base warper's full-width rectangle.
-cv::detail::AffineWarper is replaced by the affine map it stands for: OpenCV's inverts it by transposing. */
+cv::detail::AffineWarper is replaced by the affine map it stands for: OpenCV's inverts it by transposing.
+Not for two threads at once, as OpenCV's own warpers: it keeps the maps of the last image and counts calls. */
 class CV_EXPORTS GcpwWarper : public cv::detail::RotationWarper
 {
 public:
@@ -71,11 +72,14 @@ class GcpwCompensator;
 class CV_EXPORTS GcpwWarper : public WarperCreator
 {
 public:
+    /// @throws cv::Exception if there is no base, or see Rig::check()
     explicit GcpwWarper(const Ptr<WarperCreator>& base, const Rig& rig = Rig());
 
     Ptr<cv::detail::RotationWarper> create(float scale) const CV_OVERRIDE;
 
     const Rig& rig() const;
+
+    /// @throws cv::Exception see Rig::check(); the old rig is kept then
     void setRig(const Rig& rig);
     Ptr<WarperCreator> base() const;
 

@@ -1,0 +1,29 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef GCPW_EVALUATION_SPREAD_HPP
+#define GCPW_EVALUATION_SPREAD_HPP
+
+#include <vector>
+
+namespace evaluation
+{
+
+/// Scores of one method on the inputs of a pair, in the order of the inputs; a run without a score is NaN and counts as the
+/// worst there can be. Lower is better.
+typedef std::vector<double> Scores;
+
+/// The middle one, of an even number the mean of the two in the middle; NaN if there are none or it is no score.
+double median(const Scores& scores);
+
+/// Largest over smallest; NaN if there are none or one is no score or not above 0.
+double spread(const Scores& scores);
+
+/** @brief Whether a method is ahead of another: its score is the lower one on every input.
+
+Then the difference is larger than what an input's pixels change in it; all other differences are counted as none. The two
+are compared input by input because an input that is easier is so for both.
+@param a, b as many inputs each */
+bool isAhead(const Scores& a, const Scores& b);
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,110 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "pipeline/aligner_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cv
+{
+namespace gcpw
+{
+
+namespace
+{
+
+const double MAX_CANVAS =
+    1 << 20;                   ///< px a side: farther apart, positions lose the precision that the alignment works at
+const double PERIOD_SLACK = 1; ///< px: an image all around may end in the very column it began with
+
+void checkCorners(const std::vector<Point>& corners, const std::vector<Size>& sizes)
+{
+    const double endless = std::numeric_limits<double>::infinity();
+    Point2d low(endless, endless);
+    Point2d high(-endless, -endless);
+    for (size_t i = 0; i < corners.size(); ++i)
+    {
+        const Point2d corner = corners[i];
+        low = Point2d(std::min(low.x, corner.x), std::min(low.y, corner.y));
+        high = Point2d(std::max(high.x, corner.x + sizes[i].width), std::max(high.y, corner.y + sizes[i].height));
+    }
+    if (high.x - low.x > MAX_CANVAS || high.y - low.y > MAX_CANVAS)
+        CV_Error(Error::StsOutOfRange,
+                 format("gcpw: the corners make a canvas of %.0f x %.0f px; more than %.0f px a side are not aligned",
+                        high.x - low.x, high.y - low.y, MAX_CANVAS));
+}
+
+void checkPeriod(double period, const std::vector<Size>& sizes)
+{
+    for (size_t i = 0; i < sizes.size(); ++i)
+        if (period > 0 && sizes[i].width > period + PERIOD_SLACK)
+            CV_Error(Error::StsOutOfRange, format("gcpw: Params::canvasPeriod is %g px but image %zu is %d px wide; "
+                                                  "the canvas cannot repeat inside an image",
+                                                  period, i, sizes[i].width));
+}
+
+void checkFinite(const std::vector<Point2f>& points, const std::string& name)
+{
+    for (size_t i = 0; i < points.size(); ++i)
+        if (!std::isfinite(points[i].x) || !std::isfinite(points[i].y))
+            CV_Error(Error::StsOutOfRange,
+                     format("gcpw: %s[%zu] is (%g, %g); it must be finite", name.c_str(), i, points[i].x, points[i].y));
+}
+
+void checkCorrespondences(const std::vector<Correspondences>& correspondences, int images)
+{
+    for (size_t k = 0; k < correspondences.size(); ++k)
+    {
+        const Correspondences& item = correspondences[k];
+        const std::string name = format("correspondences[%zu]", k);
+        for (const int image : {item.a, item.b})
+            if (image < 0 || image >= images)
+                CV_Error(Error::StsOutOfRange,
+                         format("gcpw: %s name image %d; there are images 0 to %d", name.c_str(), image, images - 1));
+        if (item.a == item.b)
+            CV_Error(Error::StsBadArg,
+                     format("gcpw: %s are of image %d and itself; name two images", name.c_str(), item.a));
+        CV_CheckEQ(item.points_a.size(), item.points_b.size(), "gcpw: correspondences come in pairs of points");
+        checkFinite(item.points_a, name + ".points_a");
+        checkFinite(item.points_b, name + ".points_b");
+    }
+}
+
+void checkKeypoints(const std::vector<KnownKeypoints>& keypoints, int images)
+{
+    if (!keypoints.empty())
+        CV_CheckEQ(static_cast<int>(keypoints.size()), images,
+                   "gcpw: Aligner::align() takes keypoints for each image, or none");
+    for (size_t i = 0; i < keypoints.size(); ++i)
+    {
+        const KnownKeypoints& item = keypoints[i];
+        CV_CheckEQ(static_cast<int>(item.points.size()), item.descriptors.rows,
+                   "gcpw: one descriptor for each keypoint");
+        if (item.points.empty())
+            continue;
+        if (item.descriptors.cols != 128 || item.descriptors.channels() != 1 ||
+            (item.descriptors.depth() != CV_32F && item.descriptors.depth() != CV_8U))
+            CV_Error(Error::StsBadArg, "gcpw: descriptors are SIFT's: 128 columns of CV_32F or CV_8U");
+        if (!checkRange(item.descriptors))
+            CV_Error(Error::StsOutOfRange,
+                     format("gcpw: keypoints[%zu].descriptors hold values that are not finite", i));
+        checkFinite(item.points, format("keypoints[%zu].points", i));
+    }
+}
+
+} // namespace
+
+void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Size>& sizes,
+                       const std::vector<Correspondences>& correspondences,
+                       const std::vector<KnownKeypoints>& keypoints, const Params& params)
+{
+    const int images = static_cast<int>(sizes.size());
+    CV_CheckLT(params.referenceImage, images, "gcpw: Params::referenceImage is not one of the images");
+    checkCorners(corners, sizes);
+    checkPeriod(params.canvasPeriod, sizes);
+    checkCorrespondences(correspondences, images);
+    checkKeypoints(keypoints, images);
+}
+
+} // namespace gcpw
+} // namespace cv

@@ -1,0 +1,41 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_TEST_REFUSAL_HPP
+#define OPENCV_GCPW_TEST_REFUSAL_HPP
+
+#include "test_precomp.hpp"
+
+#include <functional>
+#include <string>
+
+namespace opencv_test
+{
+
+/// What a call says when it throws cv::Exception; empty if it does not.
+inline std::string refusalOf(const std::function<void()>& call)
+{
+    try
+    {
+        call();
+    }
+    catch (const cv::Exception& error)
+    {
+        return error.err.empty() ? std::string("without a message") : error.err;
+    }
+    return std::string();
+}
+
+/// Expects a cv::Exception whose message holds `part`.
+inline void expectRefused(const std::function<void()>& call, const std::string& part)
+{
+    const std::string refusal = refusalOf(call);
+    EXPECT_NE(refusal.find(part), std::string::npos) << "'" << refusal << "' does not speak of '" << part << "'";
+}
+
+inline void expectTaken(const std::function<void()>& call)
+{
+    EXPECT_EQ(refusalOf(call), "");
+}
+
+} // namespace opencv_test
+
+#endif
