@@ -13,7 +13,7 @@
 namespace evaluation
 {
 
-ChildResult runProgram(const std::string& program, const std::vector<std::string>& arguments)
+ChildResult runChild(const std::string& program, const std::vector<std::string>& arguments)
 {
     std::vector<char*> argv(1, const_cast<char*>(program.c_str())); // posix_spawn does not write to them
     for (const std::string& argument : arguments)

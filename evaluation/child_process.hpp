@@ -20,7 +20,7 @@ struct ChildResult
 /** @brief Runs a program and waits for it; its standard output is dropped.
 @param arguments without the program itself
 @throws cv::Exception if it cannot be started */
-ChildResult runProgram(const std::string& program, const std::vector<std::string>& arguments);
+ChildResult runChild(const std::string& program, const std::vector<std::string>& arguments);
 
 } // namespace evaluation
 

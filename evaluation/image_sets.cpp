@@ -100,7 +100,7 @@ Cells stitchOne(const ImageSet& set, const std::string& method, const std::strin
     command.insert(command.end(), arguments.begin(), arguments.end());
     command.push_back("--method=" + method);
     command.push_back("--output=" + place + "/panorama.jpg");
-    const ChildResult timed = runProgram(program, command); // without the dump, which costs time and memory of its own
+    const ChildResult timed = runChild(program, command); // without the dump, which costs time and memory of its own
     SetScore score;
     score.ncc = score.zncc = score.color_difference = std::numeric_limits<double>::quiet_NaN();
     if (timed.exit_code > 1)
@@ -108,7 +108,7 @@ Cells stitchOne(const ImageSet& set, const std::string& method, const std::strin
     if (timed.exit_code == 0)
     {
         command.push_back("--dump=" + place);
-        runProgram(program, command);
+        runChild(program, command);
         score = scoreDump(place);
     }
     return {set.name, method, std::to_string(timed.exit_code), std::to_string(set.images.size()), std::to_string(score.images),

@@ -4,8 +4,9 @@
 Usage: includes_point_down.py REPOSITORY
 
 A room of modules/gcpw/src may include itself and rooms of lower floors. Rooms of one floor do not know each other.
-Eigen stays in the solver room. Public headers know nothing private, the sources know nothing of evaluation, samples and
-tests. The evaluation library knows only public headers and itself, samples know both."""
+Eigen stays in the solver room. Public headers and the module's samples know nothing private. Nothing in the
+module knows evaluation, programs and tests. The evaluation library knows only public headers and itself; its tables and the
+programs (apps) know both, and apps/common."""
 import pathlib
 import posixpath
 import re
@@ -26,8 +27,16 @@ FLOORS = {
     "stitching": 7,
 }
 EIGEN_ROOM = "solver"
-OUTSIDE = ("evaluation", "samples", "test", "perf", "common")
-ABOVE_EVALUATION = ("samples", "test", "perf", "common")
+OUTSIDE = ("evaluation", "apps", "common", "samples", "test", "perf")
+PROGRAMS = ("apps", "samples", "test", "perf")
+# Folders that look at public headers only, and what else they may not know.
+PUBLIC_ONLY = {
+    "modules/gcpw/include": OUTSIDE,
+    "modules/gcpw/samples": OUTSIDE,
+    "evaluation": (*PROGRAMS, "common", "evaluation/tables"),
+    "evaluation/tables": PROGRAMS,
+    "apps": PROGRAMS,
+}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 SUFFIXES = {".hpp", ".cpp", ".h", ".inl"}
 
@@ -64,7 +73,7 @@ def fault_in_source(src, path, quote, name):
     if quote == '"' and landing.startswith("../"):
         return "leads out of src/"
     if posixpath.normpath(name).split("/")[0] in OUTSIDE:
-        return "the module does not know evaluation, samples and tests"
+        return "the module does not know evaluation, programs, samples and tests"
     target = room_of(name, place.parent.as_posix() if quote == '"' else "")
     if not target or target == room:
         return ""
@@ -75,9 +84,19 @@ def fault_in_source(src, path, quote, name):
     return ""
 
 
-def fault_in_public(name, above):
-    """Of a file that knows nothing private. `above`: the folders it may not know either."""
-    if posixpath.normpath(name).split("/")[0] in above:
+def public_folder_of(place):
+    """The innermost folder of PUBLIC_ONLY in which a file lies, "" for none."""
+    return max((folder for folder in PUBLIC_ONLY if place.startswith(folder + "/")), key=len, default="")
+
+
+def fault_in_public(repository, path, quote, name):
+    """Of a file that knows nothing private."""
+    place = path.relative_to(repository).as_posix()
+    folder = public_folder_of(place)
+    landing = posixpath.normpath(posixpath.join(posixpath.dirname(place), name))
+    if quote == '"' and "../" in name and not landing.startswith(folder + "/"):
+        return f"leads out of {folder}/"
+    if any((posixpath.normpath(name) + "/").startswith(above + "/") for above in PUBLIC_ONLY[folder]):
         return "points up"
     if is_eigen(name):
         return f"Eigen belongs in {EIGEN_ROOM}/ only"
@@ -98,10 +117,10 @@ def faults(repository):
             fault = fault_in_source(src, path, quote, name)
             if fault:
                 yield f"{path}:{line}: {name}: {fault}"
-    for folder, above in ((module / "include", OUTSIDE), (repository / "evaluation", ABOVE_EVALUATION), (repository / "samples", ())):
-        for path in files_under(folder):
-            for line, _, name in includes_of(path):
-                fault = fault_in_public(name, above)
+    for folder in ("modules/gcpw/include", "modules/gcpw/samples", "evaluation", "apps"):
+        for path in files_under(repository / folder):
+            for line, quote, name in includes_of(path):
+                fault = fault_in_public(repository, path, quote, name)
                 if fault:
                     yield f"{path}:{line}: {name}: {fault}"
 

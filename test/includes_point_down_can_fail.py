@@ -11,6 +11,7 @@ import tempfile
 CHECK = pathlib.Path(__file__).with_name("includes_point_down.py")
 SRC = "modules/gcpw/src/"
 INCLUDE = "modules/gcpw/include/opencv2/gcpw/"
+SAMPLES = "modules/gcpw/samples/"
 
 # file to plant, its include, and whether the check must name it
 PLANTS = [
@@ -30,15 +31,28 @@ PLANTS = [
     (INCLUDE + "planted.hpp", '"evaluation/apap.hpp"', True),
     ("evaluation/planted.cpp", '"solver/mesh_system.hpp"', True),
     ("evaluation/planted.cpp", '"common/report.hpp"', True),
-    ("samples/planted.cpp", '"solver/mesh_system.hpp"', True),
+    ("evaluation/planted.cpp", '"../apps/common/report.hpp"', True),
+    ("evaluation/planted.cpp", '"evaluation/tables/scores.hpp"', True),
+    ("evaluation/tables/planted.cpp", '"solver/mesh_system.hpp"', True),
+    ("apps/planted.cpp", '"solver/mesh_system.hpp"', True),
+    ("apps/planted.cpp", '"test/scene.hpp"', True),
+    ("apps/planted.cpp", '"../modules/gcpw/samples/pair.hpp"', True),
+    (SAMPLES + "planted.cpp", '"solver/mesh_system.hpp"', True),
+    (SAMPLES + "planted.cpp", '"../src/solver/mesh_system.hpp"', True),
+    (SAMPLES + "planted.cpp", '"common/report.hpp"', True),
+    (SAMPLES + "planted.cpp", '"evaluation/apap.hpp"', True),
+    (SRC + "optimization/planted.cpp", '"apps/common/report.hpp"', True),
+    (INCLUDE + "planted.hpp", '"apps/common/report.hpp"', True),
     (SRC + "stitching/planted.cpp", '"geometry/lattice.hpp"', False),
     (SRC + "energy/planted.cpp", '"energy/point_term.hpp"', False),
     (SRC + "energy/planted.cpp", '"point_term.hpp"', False),
     (SRC + "solver/planted.cpp", "<Eigen/SparseCholesky>", False),
     (SRC + "optimization/planted.cpp", "<opencv2/gcpw.hpp>", False),
     ("evaluation/planted.cpp", '"evaluation/apap.hpp"', False),
-    ("samples/planted.cpp", '"common/report.hpp"', False),
-    ("samples/planted.cpp", '"evaluation/apap.hpp"', False),
+    ("evaluation/tables/planted.cpp", '"common/report.hpp"', False),
+    ("apps/planted.cpp", '"common/report.hpp"', False),
+    ("apps/planted.cpp", '"evaluation/apap.hpp"', False),
+    (SAMPLES + "planted.cpp", "<opencv2/gcpw.hpp>", False),
 ]
 
 
@@ -66,7 +80,7 @@ def main(arguments):
     repository = pathlib.Path(arguments[1])
     with tempfile.TemporaryDirectory() as scratch:
         copy = pathlib.Path(scratch)
-        for folder in ("modules/gcpw/src", "modules/gcpw/include", "evaluation", "samples"):
+        for folder in ("modules/gcpw/src", "modules/gcpw/include", "modules/gcpw/samples", "evaluation", "apps"):
             shutil.copytree(repository / folder, copy / folder)
         wrong = list(wrong_answers(copy))
     for answer in wrong:

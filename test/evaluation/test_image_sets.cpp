@@ -150,12 +150,12 @@ TEST(Evaluation_ImageSets, a_name_that_cannot_stand_in_a_table_is_refused)
 
 TEST(Evaluation_ChildProcess, exit_code_time_and_memory_are_known)
 {
-    EXPECT_EQ(evaluation::runProgram("/bin/sh", {"-c", "exit 3"}).exit_code, 3);
-    EXPECT_EQ(evaluation::runProgram("/bin/sh", {"-c", "kill -9 $$"}).exit_code, 137);
-    const evaluation::ChildResult result = evaluation::runProgram("/bin/sh", {"-c", "sleep 0.05"});
+    EXPECT_EQ(evaluation::runChild("/bin/sh", {"-c", "exit 3"}).exit_code, 3);
+    EXPECT_EQ(evaluation::runChild("/bin/sh", {"-c", "kill -9 $$"}).exit_code, 137);
+    const evaluation::ChildResult result = evaluation::runChild("/bin/sh", {"-c", "sleep 0.05"});
     EXPECT_GE(result.seconds, 0.04);
     EXPECT_GT(result.peak_mb, 0.1);
-    EXPECT_THROW(evaluation::runProgram("/no/such/program", {}), cv::Exception);
+    EXPECT_THROW(evaluation::runChild("/no/such/program", {}), cv::Exception);
 }
 
 } // namespace

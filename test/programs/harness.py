@@ -1,7 +1,7 @@
 # Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 """What the end-to-end tests share: running a program in a scratch folder and looking at what it left there.
 
-A test is a script `test_*.py PROGRAMS SCRATCH`; it needs nothing but Python's own library."""
+A test is a script `test_*.py PROGRAMS SCRATCH SAMPLES`; it needs nothing but Python's own library."""
 import pathlib
 import shutil
 import struct
@@ -12,10 +12,10 @@ STITCHED, NO_ALIGNMENT, WRONG_USE = 0, 1, 2
 
 
 class Bench:
-    """The programs, an empty scratch folder, and the faults found so far."""
+    """The folders of the programs and of the samples, an empty scratch folder, and the faults found so far."""
 
-    def __init__(self, programs, scratch):
-        self.programs = pathlib.Path(programs)
+    def __init__(self, programs, scratch, samples):
+        self.folders = pathlib.Path(programs), pathlib.Path(samples)
         self.scratch = pathlib.Path(scratch)
         self.faults = []
         shutil.rmtree(self.scratch, ignore_errors=True)
@@ -25,9 +25,13 @@ class Bench:
         if not truth:
             self.faults.append(fault)
 
+    def place(self, program):
+        programs, samples = self.folders
+        return (samples if program.startswith("gcpw_sample_") else programs) / program
+
     def run(self, program, *arguments, expect=STITCHED, says=""):
         """Runs a program in the scratch folder; its exit code and a word of its messages are checked."""
-        command = [str(self.programs / program), *map(str, arguments)]
+        command = [str(self.place(program)), *map(str, arguments)]
         done = subprocess.run(command, cwd=self.scratch, capture_output=True, text=True, check=False)
         said = done.stdout + done.stderr
         call = " ".join([program, *map(str, arguments)])
@@ -74,7 +78,7 @@ class Bench:
 
 def main(test):
     """Runs test(bench) with the folders of the command line and tells the result."""
-    bench = Bench(*sys.argv[1:3])
+    bench = Bench(*sys.argv[1:4])
     test(bench)
     for fault in bench.faults:
         print(fault)

@@ -2,7 +2,7 @@
 # Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 """gcpw_pair: pictures, dump, report, refusals.
 
-Usage: test_gcpw_pair.py PROGRAMS SCRATCH"""
+Usage: test_gcpw_pair.py PROGRAMS SCRATCH SAMPLES"""
 import json
 
 from harness import NO_ALIGNMENT, main

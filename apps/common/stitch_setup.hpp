@@ -1,6 +1,6 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#ifndef GCPW_SAMPLES_STITCH_SETUP_HPP
-#define GCPW_SAMPLES_STITCH_SETUP_HPP
+#ifndef GCPW_APPS_STITCH_SETUP_HPP
+#define GCPW_APPS_STITCH_SETUP_HPP
 
 #include <opencv2/stitching.hpp>
 #include <string>

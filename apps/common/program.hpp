@@ -1,6 +1,6 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#ifndef GCPW_SAMPLES_PROGRAM_HPP
-#define GCPW_SAMPLES_PROGRAM_HPP
+#ifndef GCPW_APPS_PROGRAM_HPP
+#define GCPW_APPS_PROGRAM_HPP
 
 #include <functional>
 #include <opencv2/core.hpp>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-/// Exit codes of the sample programs.
+/// Exit codes of the programs.
 enum ExitCode
 {
     EXIT_STITCHED = 0,

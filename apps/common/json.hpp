@@ -1,6 +1,6 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#ifndef GCPW_SAMPLES_JSON_HPP
-#define GCPW_SAMPLES_JSON_HPP
+#ifndef GCPW_APPS_JSON_HPP
+#define GCPW_APPS_JSON_HPP
 
 #include <string>
 #include <vector>

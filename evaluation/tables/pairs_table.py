@@ -2,7 +2,7 @@
 # Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 """Prints how well each method aligns every pair of photographs in a folder.
 
-    test/pairs_table.py PAIRS [--program build/release/samples/gcpw_pair] [--methods global,cpw,dfw,mfw,gcpw] [--inputs 5]
+    evaluation/tables/pairs_table.py PAIRS [--program build/release/apps/gcpw_pair] [--methods global,cpw,dfw,mfw,gcpw] [--inputs 5]
                         [--megapix 0.48] [--out build/pairs] [--set name=value,..] [--paper] [--quoted FILE] [--jobs 1]
 
 PAIRS holds a folder a pair, each with 01.* (source) and 02.* (target). gcpw_evaluate, which lies beside --program, brings both
@@ -73,7 +73,7 @@ def geometric_mean(values):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pairs", type=pathlib.Path)
-    parser.add_argument("--program", default="build/release/samples/gcpw_pair")
+    parser.add_argument("--program", default="build/release/apps/gcpw_pair")
     parser.add_argument("--methods", default="global,cpw,dfw,mfw,gcpw")
     parser.add_argument("--inputs", type=int, choices=range(1, 6), default=5)
     parser.add_argument("--megapix", type=float, default=0.48)

@@ -1,6 +1,6 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#ifndef GCPW_SAMPLES_SYNTHETIC_PAIR_HPP
-#define GCPW_SAMPLES_SYNTHETIC_PAIR_HPP
+#ifndef GCPW_APPS_SYNTHETIC_PAIR_HPP
+#define GCPW_APPS_SYNTHETIC_PAIR_HPP
 
 #include <opencv2/core.hpp>
 

@@ -6,22 +6,28 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/stitching.hpp>
 
+namespace
+{
+
+int fail(const std::string& why, int code)
+{
+    std::cerr << why << '\n';
+    return code;
+}
+
+} // namespace
+
 int main(int argc, char** argv)
 {
+    if (argc < 4)
+        return fail("plugin IMAGE IMAGE.. PANORAMA", 2);
     std::vector<cv::Mat> images;
     for (int i = 1; i + 1 < argc; ++i)
-        images.push_back(cv::imread(argv[i]));
-    if (images.size() < 2)
     {
-        std::cerr << "gcpw_plugin IMAGE IMAGE.. PANORAMA\n";
-        return 2;
+        images.push_back(cv::imread(argv[i]));
+        if (images.back().empty())
+            return fail(std::string("cannot read ") + argv[i], 2);
     }
-    for (size_t i = 0; i < images.size(); ++i)
-        if (images[i].empty())
-        {
-            std::cerr << "gcpw_plugin: cannot read " << argv[i + 1] << '\n';
-            return 2;
-        }
 
     cv::Ptr<cv::Stitcher> stitcher = cv::Stitcher::create(cv::Stitcher::PANORAMA);
     const cv::Ptr<cv::gcpw::StitcherBinding> gcpw = cv::gcpw::attach(stitcher); // this line
@@ -29,16 +35,11 @@ int main(int argc, char** argv)
     cv::Mat panorama;
     const cv::Stitcher::Status status = stitcher->stitch(images, panorama);
     if (status != cv::Stitcher::OK)
-    {
-        std::cerr << "gcpw_plugin: the images could not be stitched, status " << status << '\n';
-        return 1;
-    }
+        return fail("the images could not be stitched, status " + std::to_string(static_cast<int>(status)), 1);
     if (!gcpw->rig().alignment.ok())
         std::cout << gcpw->rig().alignment.report().message << '\n';
+
     if (!cv::imwrite(argv[argc - 1], panorama))
-    {
-        std::cerr << "gcpw_plugin: cannot write " << argv[argc - 1] << '\n';
-        return 2;
-    }
+        return fail(std::string("cannot write ") + argv[argc - 1], 2);
     return 0;
 }
