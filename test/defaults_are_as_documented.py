@@ -8,7 +8,7 @@ import re
 import sys
 
 HEADER = "modules/gcpw/include/opencv2/gcpw/params.hpp"
-SOURCE = "modules/gcpw/src/pipeline/params.cpp"
+SOURCE = "modules/gcpw/src/api/params.cpp"
 # The comment stands before the declaration or behind it on its line, and closes with the default.
 MEMBER = re.compile(r"((?:^ *///[^\n]*\n)*)^ *CV_PROP_RW \w+ (\w+);([^\n]*)", re.MULTILINE)
 DEFAULT = re.compile(r"\bdefault ([-\w.]+?)\.?$")
