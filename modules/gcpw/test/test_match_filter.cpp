@@ -128,7 +128,7 @@ TEST(Gcpw_MatchFilter, a_mesh_that_folds_is_not_handed_on)
     MeshGrid mesh = reference;
     MatchFilterSchedule schedule;
     schedule.similarity_weight = 1e-3;
-    EXPECT_EQ(filterMatches(matches, mesh, reference, rest, Point2d(), schedule), GateStatus::Folded);
+    EXPECT_EQ(filterMatches(matches, mesh, reference, reference, Point2d(), schedule), GateStatus::Folded);
     EXPECT_EQ(maxVertexDistance(mesh, reference), 0);
 }
 

@@ -239,7 +239,7 @@ TEST(Gcpw_Pair, the_same_photograph_twice_stays_where_it_is)
     const Scene scene{SceneOptions()};
     const Alignment alignment = alignPair(scene.target(), scene.target());
     ASSERT_TRUE(alignment.ok());
-    const Mat rest = alignment.image(1).mesh; // the target is fixed at rest
+    const Mat reference = alignment.image(1).mesh; // the target is fixed at rest
     EXPECT_LT(cv::norm(alignment.image(0).mesh, reference, NORM_INF), 0.05);
     EXPECT_NEAR(alignment.report().gain_min, 1, 0.02);
     EXPECT_NEAR(alignment.report().gain_max, 1, 0.02);

@@ -130,7 +130,7 @@ Rect WarpMaps::roi(Size image) const
 void WarpMaps::look(const MeshGrid& mesh, const Mat& base_x, const Mat& base_y, Point corner, Rect roi, Mat& x_map,
                     Mat& y_map) const
 {
-    Mat rest;
+    Mat reference;
     Mat mask;
     buildInverseMap(mesh, FrameScale(), FrameScale(), roi, reference, mask);
     parallel_for_(Range(0, roi.height), [&](const Range& rows)
