@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/stitching/detail/exposure_compensate.hpp>
 #include <opencv2/stitching/detail/warpers.hpp>
-#include "rendering/color_correction.hpp"
+#include "rendering/color_field.hpp"
 #include "rendering/inverse_map.hpp"
 #include "pair_problem.hpp"
 #include "thread_count.hpp"
@@ -52,20 +52,30 @@ PERF_TEST(Gcpw_InverseMap, map_of_the_spherical_warper)
     SANITY_CHECK_NOTHING();
 }
 
-PERF_TEST(Gcpw_ColorCorrection, colors_of_a_grid)
+PERF_TEST(Gcpw_ColorField, colors_of_a_grid)
 {
     const ThreadCount threads(1);
     const Warped warped;
     // The default mesh; gain and bias of three channels.
     const Mat color = Mat(32, 32 * 6, CV_32FC1, Scalar(0.5)).reshape(6);
     const Size size = pairScene().source().size();
+    const float x_scale = static_cast<float>(color.cols) / static_cast<float>(size.width);
+    const float y_scale = static_cast<float>(color.rows) / static_cast<float>(size.height);
     Mat corrected;
-    TEST_CYCLE() corrected = gcpw::correctColors(warped.image, warped.map, warped.mask, color, size);
+    TEST_CYCLE()
+    {
+        warped.image.copyTo(corrected);
+        gcpw::ColorField(color).apply(corrected, warped.mask, [&](Point pixel)
+        {
+            const Vec2f& at = warped.map.at<Vec2f>(pixel);
+            return Point2f((at[0] + 0.5F) * x_scale, (at[1] + 0.5F) * y_scale);
+        });
+    }
     CV_Assert(corrected.size() == warped.image.size());
     SANITY_CHECK_NOTHING();
 }
 
-PERF_TEST(Gcpw_ColorCorrection, colors_of_blocks_channels)
+PERF_TEST(Gcpw_ColorField, colors_of_blocks_channels)
 {
     const ThreadCount threads(1);
     const Warped warped;

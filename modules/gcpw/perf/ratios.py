@@ -38,7 +38,7 @@ ROWS = [
     ("map of a mesh", "map of OpenCV's spherical warper",
      "Gcpw_InverseMap.map_of_a_mesh", "Gcpw_InverseMap.map_of_the_spherical_warper", CPU),
     ("colours of a grid, applied", "OpenCV's `BlocksChannelsCompensator`",
-     "Gcpw_ColorCorrection.colors_of_a_grid", "Gcpw_ColorCorrection.colors_of_blocks_channels", CPU),
+     "Gcpw_ColorField.colors_of_a_grid", "Gcpw_ColorField.colors_of_blocks_channels", CPU),
     ("keypoints matched near where expected, both ways", "brute force, one way",
      "Gcpw_Matching.near_where_it_is_expected", "Gcpw_Matching.everywhere_by_brute_force", CPU),
     ("pair: alignment", "features, homography and matches",

@@ -1,12 +1,15 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "opencv2/gcpw/pair.hpp"
+
 #include <opencv2/imgproc.hpp>
-#include "rendering/color_correction.hpp"
+#include "api/result.hpp"
 #include "imaging/photograph.hpp"
 #include "imaging/score.hpp"
+#include "rendering/blend.hpp"
+#include "rendering/color_field.hpp"
 #include "rendering/inverse_map.hpp"
-#include "opencv2/gcpw/pair.hpp"
 #include "rendering/mesh_overlay.hpp"
-#include "api/result.hpp"
+#include "rendering/remap_tiled.hpp"
 
 namespace cv
 {
@@ -16,31 +19,31 @@ namespace gcpw
 namespace
 {
 
-const int MAX_SIDE = 32766;   ///< px: cv::remap takes no more
-const double MAX_AREA = 4e8;  ///< px: a larger canvas comes from a wrong alignment, and would eat the memory
-const int TILE = 1024;        ///< rows a remap call: bounds its temporaries
+const double MAX_AREA = 4e8; ///< px: a larger canvas comes from a wrong alignment, and would eat the memory
 
 /// Both images together, or an exception that names the size.
 Rect canvasRect(const MeshGrid& mesh, const FrameScale& scale, Size target)
 {
     const Rect2d roi = coveredBounds(mesh, scale) | Rect2d(Point2d(), target);
     // In double: a mesh that ran away is wider than an int can say.
-    if (!(roi.width <= MAX_SIDE && roi.height <= MAX_SIDE && roi.width * roi.height <= MAX_AREA))
+    if (!(roi.width <= MAX_REMAP_SIDE && roi.height <= MAX_REMAP_SIDE && roi.width * roi.height <= MAX_AREA))
         CV_Error(Error::StsOutOfRange,
                  format("gcpw: the canvas would be %.10g x %.10g px, more than %d px a side or %.0f Mpx; scale the photographs down",
-                        roi.width, roi.height, MAX_SIDE, MAX_AREA / 1e6));
+                        roi.width, roi.height, MAX_REMAP_SIDE, MAX_AREA / 1e6));
     return roi;
 }
 
-Mat remapped(const Mat& image, const Mat& map, int interpolation, int border)
+/// Colours of the warped source; `map` says where each pixel of the mask lies in the photograph of `full_size`.
+Mat corrected(const Mat& image, const Mat& mask, const Mat& map, const Mat& color, Size full_size)
 {
-    Mat result(map.size(), image.type());
-    for (int top = 0; top < map.rows; top += TILE)
+    const float x_scale = static_cast<float>(color.cols) / static_cast<float>(full_size.width);
+    const float y_scale = static_cast<float>(color.rows) / static_cast<float>(full_size.height);
+    Mat result = image.clone();
+    ColorField(color).apply(result, mask, [&](Point pixel)
     {
-        const Range rows(top, std::min(top + TILE, map.rows));
-        Mat part = result.rowRange(rows);
-        remap(image, part, map.rowRange(rows), noArray(), interpolation, border);
-    }
+        const Vec2f& at = map.at<Vec2f>(pixel);
+        return Point2f((at[0] + 0.5F) * x_scale, (at[1] + 0.5F) * y_scale);
+    });
     return result;
 }
 
@@ -70,11 +73,15 @@ PairCanvas renderPair(const Alignment& alignment, InputArray source_input, Input
     PairCanvas canvas;
     Mat map;
     buildInverseMap(mesh, canvas_scale, FrameScale(image.work_size, image.full_size), roi, map, canvas.source_mask);
-    canvas.source = remapped(source.image, map, INTER_CUBIC, BORDER_REPLICATE);
+    remapTiled(source.image, canvas.source, map, Mat(), INTER_CUBIC, BORDER_REPLICATE);
     if (!source.mask.empty())
-        canvas.source_mask &= remapped(source.mask, map, INTER_NEAREST, BORDER_REPLICATE);
+    {
+        Mat valid;
+        remapTiled(source.mask, valid, map, Mat(), INTER_NEAREST, BORDER_REPLICATE);
+        canvas.source_mask &= valid;
+    }
     canvas.source.setTo(Scalar::all(0), canvas.source_mask == 0);
-    canvas.source_corrected = correctColors(canvas.source, map, canvas.source_mask, image.color, image.full_size);
+    canvas.source_corrected = corrected(canvas.source, canvas.source_mask, map, image.color, image.full_size);
 
     canvas.target_origin = -roi.tl();
     const Rect place(canvas.target_origin, target.image.size());
@@ -88,6 +95,14 @@ PairCanvas renderPair(const Alignment& alignment, InputArray source_input, Input
     canvas.mesh = blendPair(canvas, Blend::AVERAGE);
     drawMesh(mesh, canvas_scale, roi.tl(), canvas.mesh);
     return canvas;
+}
+
+Mat blendPair(const PairCanvas& canvas, Blend blend)
+{
+    CV_Assert(!canvas.source.empty() && canvas.source.size() == canvas.target.size());
+    const TwoMasks masks{{canvas.source_mask, canvas.target_mask}};
+    return blend == Blend::AVERAGE ? blendAverage({{canvas.source, canvas.target}}, masks)
+                                   : blendMultiband({{canvas.source_corrected, canvas.target}}, masks);
 }
 
 Score scorePair(const PairCanvas& canvas)

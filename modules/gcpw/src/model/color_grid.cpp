@@ -1,38 +1,10 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 #include "model/color_grid.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace cv
 {
 namespace gcpw
 {
-
-ColorGrid::Quad ColorGrid::at(Point2d reference_px) const
-{
-    const Size2d cell = lattice_.cellSize();
-    const double x = std::min(std::max((reference_px.x + 0.5) / cell.width - 0.5, 0.0), lattice_.cols() - 1.0);
-    const double y = std::min(std::max((reference_px.y + 0.5) / cell.height - 0.5, 0.0), lattice_.rows() - 1.0);
-    const int col = std::min(static_cast<int>(x), std::max(lattice_.cols() - 2, 0));
-    const int row = std::min(static_cast<int>(y), std::max(lattice_.rows() - 2, 0));
-    const int right = std::min(col + 1, lattice_.cols() - 1) - col;
-    const int below = (std::min(row + 1, lattice_.rows() - 1) - row) * lattice_.cols();
-    const int first = row * lattice_.cols() + col;
-    const std::array<int, 4> cells{{first, first + right, first + below, first + right + below}};
-    const std::array<double, 4> weight = bilinearWeights(x - col, y - row);
-    Quad mixed;
-    for (int c = 0; c < CHANNELS; ++c)
-    {
-        mixed[c] = {0, 0};
-        for (int k = 0; k < 4; ++k)
-        {
-            mixed[c].gain += weight[k] * quads_[cells[k]][c].gain;
-            mixed[c].bias += weight[k] * quads_[cells[k]][c].bias;
-        }
-    }
-    return mixed;
-}
 
 bool ColorGrid::isIdentity() const
 {

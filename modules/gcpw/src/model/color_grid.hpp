@@ -23,7 +23,7 @@ struct ChannelAffine
 
 /** @brief One affine colour map a channel on every quad of a lattice (the paper's G and B), in YCrCb.
 
-Estimated constant in a quad; read bilinearly between quad centres, so that no block shows (see at()). */
+Estimated constant in a quad; shown bilinearly between quad centres (rendering/color_field.hpp). */
 class ColorGrid
 {
 public:
@@ -38,9 +38,6 @@ public:
 
     /// Whether every quad leaves colours as they are.
     bool isIdentity() const;
-
-    /// Bilinear between quad centres, constant beyond the outer centres.
-    Quad at(Point2d reference_px) const;
 
     /// The grid as rows x cols, CV_32FC(6): gain Y, Cr, Cb, bias Y, Cr, Cb.
     Mat toMat() const;

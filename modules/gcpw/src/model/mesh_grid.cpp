@@ -12,9 +12,6 @@ namespace gcpw
 namespace
 {
 
-/// How far outside [0, 1] a fraction still counts as on the border of its quad.
-const double BORDER_FRACTION = 1e-9;
-
 std::array<Point2d, 4> quadOf(const MeshGrid& mesh, int cell)
 {
     return {{mesh.vertex(cell, 0), mesh.vertex(cell, 1), mesh.vertex(cell, 2), mesh.vertex(cell, 3)}};
@@ -120,7 +117,7 @@ bool MeshGrid::findIn(int cell, Point2d canvas_px, CellPoint& point, Point2d& fr
         fractions = affineFractions(quad, canvas_px);
         return false;
     }
-    if (!(std::abs(fractions.x - 0.5) <= 0.5 + BORDER_FRACTION) || !(std::abs(fractions.y - 0.5) <= 0.5 + BORDER_FRACTION))
+    if (!isInQuad(fractions.x, fractions.y))
         return false;
     point.cell = cell;
     point.weight = bilinearWeights(std::min(std::max(fractions.x, 0.0), 1.0), std::min(std::max(fractions.y, 0.0), 1.0));
@@ -198,6 +195,11 @@ bool invertBilinear(const std::array<Point2d, 4>& quad, Point2d point, double& u
     const Point2d along = b + v * d;
     u = (e - v * c).dot(along) / along.dot(along);
     return std::isfinite(u) && std::isfinite(v);
+}
+
+bool isInQuad(double u, double v)
+{
+    return std::abs(u - 0.5) <= 0.5 + BORDER_FRACTION && std::abs(v - 0.5) <= 0.5 + BORDER_FRACTION;
 }
 
 double maxVertexDistance(const MeshGrid& a, const MeshGrid& b)

@@ -68,6 +68,12 @@ double cornerArea(const std::array<Point2d, 4>& quad, int corner);
 /// itself lies on. False if there are none.
 bool invertBilinear(const std::array<Point2d, 4>& quad, Point2d point, double& u, double& v);
 
+/// How far outside [0, 1] a fraction still counts as on the border of its quad, so that no gap opens between two quads.
+const double BORDER_FRACTION = 1e-9;
+
+/// Whether fractions as of invertBilinear() lie in the quad or on its border; false for NaN.
+bool isInQuad(double u, double v);
+
 /// Largest move of a vertex between two meshes over one lattice, canvas pixels.
 double maxVertexDistance(const MeshGrid& a, const MeshGrid& b);
 

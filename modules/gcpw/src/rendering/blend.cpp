@@ -1,10 +1,11 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#include "rendering/blend.hpp"
+
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/stitching/detail/blenders.hpp>
 #include <opencv2/stitching/detail/seam_finders.hpp>
 #include "rendering/extension.hpp"
-#include "opencv2/gcpw/pair.hpp"
 
 namespace cv
 {
@@ -17,17 +18,8 @@ namespace
 const double SEAM_MEGAPIX = 0.1; ///< graph cut takes seconds at more, and a seam needs no more
 const int BANDS = 5;
 
-Mat blendAverage(const PairCanvas& canvas)
-{
-    Mat panorama;
-    addWeighted(canvas.source, 0.5, canvas.target, 0.5, 0, panorama);
-    canvas.source.copyTo(panorama, canvas.target_mask == 0);
-    canvas.target.copyTo(panorama, canvas.source_mask == 0);
-    return panorama;
-}
-
 /// Splits the overlap between the images where they differ least; returns what each of them keeps.
-std::vector<Mat> cutSeam(const Mat (&images)[2], const Mat (&masks)[2])
+std::array<Mat, 2> cutSeam(const TwoImages& images, const TwoMasks& masks)
 {
     const Size full = images[0].size();
     const double scale = std::min(1.0, std::sqrt(SEAM_MEGAPIX * 1e6 / static_cast<double>(images[0].total())));
@@ -46,7 +38,7 @@ std::vector<Mat> cutSeam(const Mat (&images)[2], const Mat (&masks)[2])
     cv::detail::GraphCutSeamFinder finder(cv::detail::GraphCutSeamFinderBase::COST_COLOR_GRAD);
     finder.find(small, {Point(), Point()}, cut);
     // As cv::Stitcher does: a little wider than the seam, so that no pixel is left to neither.
-    std::vector<Mat> kept(2);
+    std::array<Mat, 2> kept;
     for (int i = 0; i < 2; ++i)
     {
         Mat mask;
@@ -57,11 +49,20 @@ std::vector<Mat> cutSeam(const Mat (&images)[2], const Mat (&masks)[2])
     return kept;
 }
 
-Mat blendMultiband(const PairCanvas& canvas)
+} // namespace
+
+Mat blendAverage(const TwoImages& images, const TwoMasks& masks)
 {
-    const Mat images[2] = {canvas.source_corrected, canvas.target};
-    const Mat masks[2] = {canvas.source_mask, canvas.target_mask};
-    const std::vector<Mat> kept = cutSeam(images, masks);
+    Mat panorama;
+    addWeighted(images[0], 0.5, images[1], 0.5, 0, panorama);
+    images[0].copyTo(panorama, masks[1] == 0);
+    images[1].copyTo(panorama, masks[0] == 0);
+    return panorama;
+}
+
+Mat blendMultiband(const TwoImages& images, const TwoMasks& masks)
+{
+    const std::array<Mat, 2> kept = cutSeam(images, masks);
     cv::detail::MultiBandBlender blender(false, BANDS);
     blender.prepare(Rect(Point(), images[0].size()));
     for (int i = 0; i < 2; ++i)
@@ -78,14 +79,6 @@ Mat blendMultiband(const PairCanvas& canvas)
     blended.convertTo(panorama, CV_8U);
     panorama.setTo(Scalar::all(0), (masks[0] | masks[1]) == 0);
     return panorama;
-}
-
-} // namespace
-
-Mat blendPair(const PairCanvas& canvas, Blend blend)
-{
-    CV_Assert(!canvas.source.empty() && canvas.source.size() == canvas.target.size());
-    return blend == Blend::AVERAGE ? blendAverage(canvas) : blendMultiband(canvas);
 }
 
 } // namespace gcpw

@@ -2,6 +2,7 @@
 #include "rendering/color_field.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cv
 {
@@ -11,25 +12,12 @@ namespace gcpw
 namespace
 {
 
-const int STEP = 8; ///< px between the nodes on which the colour map is evaluated
 
-typedef Vec<float, 6> GridValue;   ///< gains, then biases, of Y, Cr, Cb
-typedef Vec<float, 12> ColorMap;   ///< rows of a 3 x 4 matrix on (B, G, R, 1) in 0..255
+typedef Vec<float, 6> GridValue; ///< gains, then biases, of Y, Cr, Cb
+typedef ColorField::ColorMap ColorMap;
 
-GridValue readGrid(const Mat& grid, double x, double y)
-{
-    x = std::min(std::max(0.0, x - 0.5), grid.cols - 1.0); // in this order NaN becomes 0
-    y = std::min(std::max(0.0, y - 0.5), grid.rows - 1.0);
-    const int col = std::min(static_cast<int>(x), std::max(grid.cols - 2, 0));
-    const int row = std::min(static_cast<int>(y), std::max(grid.rows - 2, 0));
-    const int right = std::min(col + 1, grid.cols - 1);
-    const int below = std::min(row + 1, grid.rows - 1);
-    const float u = static_cast<float>(x - col);
-    const float v = static_cast<float>(y - row);
-    const GridValue top = grid.at<GridValue>(row, col) * (1 - u) + grid.at<GridValue>(row, right) * u;
-    const GridValue bottom = grid.at<GridValue>(below, col) * (1 - u) + grid.at<GridValue>(below, right) * u;
-    return top * (1 - v) + bottom * v;
-}
+const int STEP = 8;           ///< px between positions and between maps; meshes bend over tens of pixels
+const float MAX_TWIST = 0.01F; ///< quads^2: a bilinear map along a slanted row is off its chord by a quarter of this times its mixed difference
 
 /// YCrCb as cv::cvtColor has it, without the offset of Cr and Cb, which `offset` puts back.
 const Matx33d YCRCB_FROM_BGR(0.114, 0.587, 0.299, -0.114 * 0.713, -0.587 * 0.713, (1 - 0.299) * 0.713, (1 - 0.114) * 0.564,
@@ -72,47 +60,157 @@ void mapPixel(const ColorMap& m, uchar& p)
     p = saturate_cast<uchar>(0.114F * b + 0.587F * g + 0.299F * r);
 }
 
-template <typename Pixel>
-void mapRows(Mat& picture, const Mat& nodes, const Range& rows)
+/// Between which quad centres a point lies; -1 and the last one are beyond the outer centres. NaN counts as 0.
+int spanOf(float quads, int count)
 {
-    for (int y = rows.start; y < rows.end; ++y)
+    return static_cast<int>(std::floor(std::min(std::max(-1.0F, quads - 0.5F), count - 1.0F)));
+}
+
+/// One row of a picture on its field.
+template <typename Pixel>
+class Row
+{
+public:
+    Row(Mat& picture, int y, const ColorField& field, Size grid, const GridPosition& position)
+        : pixels_(picture.ptr<Pixel>(y)), y_(y), field_(field), grid_(grid), position_(position)
     {
-        const int row = y / STEP;
-        const float v = static_cast<float>(y - row * STEP) / STEP;
-        for (int col = 0; col * STEP < picture.cols; ++col)
+    }
+
+    /// Maps the pixels first..last, which all have a position.
+    void map(int first, int last)
+    {
+        Knot from = knotAt(first);
+        while (from.x < last)
         {
-            ColorMap map = nodes.at<ColorMap>(row, col) * (1 - v) + nodes.at<ColorMap>(row + 1, col) * v;
-            const ColorMap end = nodes.at<ColorMap>(row, col + 1) * (1 - v) + nodes.at<ColorMap>(row + 1, col + 1) * v;
-            const ColorMap slope = (end - map) * (1.0F / STEP);
-            Pixel* pixel = picture.ptr<Pixel>(y) + col * STEP;
-            const int count = std::min(STEP, picture.cols - col * STEP);
-            for (int i = 0; i < count; ++i, map += slope)
-                mapPixel(map, pixel[i]);
+            // At whole steps, so that neither a mask nor a thread moves the knots.
+            const Knot to = knotAt(std::min((from.x / STEP + 1) * STEP, last));
+            mapSpan(from, to);
+            from = to;
         }
+        mapPixel(from.map, pixels_[last]);
+    }
+
+private:
+    /// A pixel on which the map was read.
+    struct Knot
+    {
+        int x;
+        Point2f at;
+        Point cell; ///< between which quad centres it lies
+        ColorMap map;
+    };
+
+    Knot knotAt(int x) const
+    {
+        const Point2f at = position_(Point(x, y_));
+        return {x, at, Point(spanOf(at.x, grid_.width), spanOf(at.y, grid_.height)), field_.at(at)};
+    }
+
+    /// Maps from.x up to the pixel before to.x.
+    void mapSpan(const Knot& from, const Knot& to)
+    {
+        const int count = to.x - from.x;
+        const Point2f along = to.at - from.at;
+        if (count > 1 && (from.cell != to.cell || std::abs(along.x * along.y) > MAX_TWIST))
+        {
+            const Knot middle = knotAt(from.x + count / 2);
+            mapSpan(from, middle);
+            mapSpan(middle, to);
+            return;
+        }
+        ColorMap map = from.map;
+        const ColorMap slope = (to.map - from.map) * (1.0F / static_cast<float>(count));
+        for (int x = from.x; x < to.x; ++x, map += slope)
+            mapPixel(map, pixels_[x]);
+    }
+
+    Pixel* pixels_;
+    int y_;
+    const ColorField& field_;
+    Size grid_;
+    const GridPosition& position_;
+};
+
+/// Maps the pixels of row y that the mask holds, run by run.
+template <typename Pixel>
+void mapRow(Row<Pixel> row, const uchar* mask, int cols)
+{
+    int x = 0;
+    while (x < cols)
+    {
+        const int first = x;
+        while (x < cols && (!mask || mask[x]))
+            ++x;
+        if (x > first)
+            row.map(first, x - 1);
+        else
+            ++x;
     }
 }
 
 } // namespace
 
-void correctPicture(Mat& picture, const Mat& color, const std::function<Point2d(Point2d)>& grid_at)
+ColorField::ColorField(const Mat& color) : maps_(color.size(), CV_32FC(12))
 {
-    CV_CheckType(picture.type(), picture.type() == CV_8UC3 || picture.type() == CV_8UC1, "gcpw: colours are corrected in 8-bit BGR or gray");
     CV_CheckTypeEQ(color.type(), CV_32FC(6), "gcpw: a colour grid has gain and bias of Y, Cr, Cb");
     const Matx33d bgr_from_ycrcb = YCRCB_FROM_BGR.inv();
-    Mat nodes(picture.rows / STEP + 2, picture.cols / STEP + 2, CV_32FC(12));
+    for (int row = 0; row < color.rows; ++row)
+        for (int col = 0; col < color.cols; ++col)
+            maps_.at<ColorMap>(row, col) = bgrMap(color.at<GridValue>(row, col), bgr_from_ycrcb);
+}
+
+ColorMap ColorField::at(Point2f quads) const
+{
+    const float x = std::min(std::max(0.0F, quads.x - 0.5F), maps_.cols - 1.0F); // in this order NaN becomes 0
+    const float y = std::min(std::max(0.0F, quads.y - 0.5F), maps_.rows - 1.0F);
+    const int col = std::min(static_cast<int>(x), std::max(maps_.cols - 2, 0));
+    const int row = std::min(static_cast<int>(y), std::max(maps_.rows - 2, 0));
+    const int right = std::min(col + 1, maps_.cols - 1);
+    const int below = std::min(row + 1, maps_.rows - 1);
+    const float u = x - static_cast<float>(col);
+    const float v = y - static_cast<float>(row);
+    const ColorMap top = maps_.at<ColorMap>(row, col) * (1 - u) + maps_.at<ColorMap>(row, right) * u;
+    const ColorMap bottom = maps_.at<ColorMap>(below, col) * (1 - u) + maps_.at<ColorMap>(below, right) * u;
+    return top * (1 - v) + bottom * v;
+}
+
+void ColorField::apply(Mat& picture, const Mat& mask, const GridPosition& position) const
+{
+    CV_CheckType(picture.type(), picture.type() == CV_8UC3 || picture.type() == CV_8UC1, "gcpw: colours are corrected in 8-bit BGR or gray");
+    CV_Assert(mask.empty() || (mask.type() == CV_8UC1 && mask.size() == picture.size()));
+    parallel_for_(Range(0, picture.rows), [&](const Range& rows)
+    {
+        for (int y = rows.start; y < rows.end; ++y)
+        {
+            const uchar* inside = mask.empty() ? nullptr : mask.ptr<uchar>(y);
+            if (picture.channels() == 3)
+                mapRow(Row<Vec3b>(picture, y, *this, maps_.size(), position), inside, picture.cols);
+            else
+                mapRow(Row<uchar>(picture, y, *this, maps_.size(), position), inside, picture.cols);
+        }
+    });
+}
+
+GridPosition positionOnNodes(Size picture, const std::function<Point2d(Point2d)>& exact)
+{
+    Mat nodes(picture.height / STEP + 2, picture.width / STEP + 2, CV_32FC2);
     for (int row = 0; row < nodes.rows; ++row)
         for (int col = 0; col < nodes.cols; ++col)
         {
-            const Point2d at = grid_at(Point2d(col * STEP, row * STEP));
-            nodes.at<ColorMap>(row, col) = bgrMap(readGrid(color, at.x, at.y), bgr_from_ycrcb);
+            const Point2d at = exact(Point2d(col * STEP, row * STEP));
+            nodes.at<Vec2f>(row, col) = Vec2f(static_cast<float>(at.x), static_cast<float>(at.y));
         }
-    parallel_for_(Range(0, picture.rows), [&](const Range& rows)
+    return [nodes](Point pixel)
     {
-        if (picture.channels() == 3)
-            mapRows<Vec3b>(picture, nodes, rows);
-        else
-            mapRows<uchar>(picture, nodes, rows);
-    });
+        const int col = pixel.x / STEP;
+        const int row = pixel.y / STEP;
+        const float u = static_cast<float>(pixel.x - col * STEP) / STEP;
+        const float v = static_cast<float>(pixel.y - row * STEP) / STEP;
+        const Vec2f* top = nodes.ptr<Vec2f>(row) + col;
+        const Vec2f* bottom = nodes.ptr<Vec2f>(row + 1) + col;
+        const Vec2f at = (top[0] * (1 - u) + top[1] * u) * (1 - v) + (bottom[0] * (1 - u) + bottom[1] * u) * v;
+        return Point2f(at[0], at[1]);
+    };
 }
 
 } // namespace gcpw

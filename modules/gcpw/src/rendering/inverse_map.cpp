@@ -12,9 +12,7 @@ namespace gcpw
 namespace
 {
 
-const double BORDER_FRACTION = 1e-9; ///< a pixel centre this far outside a quad still belongs to it
-
-const double FARTHEST = 1e9;         ///< px: rectangles of twice this size still fit an int
+const double FARTHEST = 1e9; ///< px: rectangles of twice this size still fit an int
 
 struct Box
 {
@@ -31,7 +29,7 @@ Box boxOf(const std::array<Point2d, 4>& quad, Rect clip)
         low = Point2d(std::min(low.x, p.x), std::min(low.y, p.y));
         high = Point2d(std::max(high.x, p.x), std::max(high.y, p.y));
     }
-    const auto bounded = [](double value) { return static_cast<int>(std::min(std::max(value, -1e9), 1e9)); };
+    const auto bounded = [](double value) { return static_cast<int>(std::min(std::max(value, -FARTHEST), FARTHEST)); };
     return {std::max(bounded(std::ceil(low.x - BORDER_FRACTION)), clip.x),
             std::max(bounded(std::ceil(low.y - BORDER_FRACTION)), clip.y),
             std::min(bounded(std::floor(high.x + BORDER_FRACTION)), clip.x + clip.width - 1),
@@ -88,8 +86,7 @@ void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const Frame
                     {
                         double u = 0;
                         double v = 0;
-                        if (!invertBilinear(quad, Point2d(x, y), u, v) || !(std::abs(u - 0.5) <= 0.5 + BORDER_FRACTION) ||
-                            !(std::abs(v - 0.5) <= 0.5 + BORDER_FRACTION))
+                        if (!invertBilinear(quad, Point2d(x, y), u, v) || !isInQuad(u, v))
                             continue;
                         CellPoint point;
                         point.cell = cell;

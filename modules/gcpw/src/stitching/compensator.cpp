@@ -86,7 +86,7 @@ void GcpwCompensator::apply(int index, Point corner, InputOutputArray image, Inp
         const Mat& color = colors_[index];
         const double x_scale = static_cast<double>(color.cols) / picture.cols;
         const double y_scale = static_cast<double>(color.rows) / picture.rows;
-        correctPicture(picture, color, [&](Point2d p) { return Point2d((p.x + 0.5) * x_scale, (p.y + 0.5) * y_scale); });
+        ColorField(color).apply(picture, Mat(), [&](Point p) { return Point2f(Point2d((p.x + 0.5) * x_scale, (p.y + 0.5) * y_scale)); });
         return;
     }
     const RigModel::Item& item = shared_state_->model->items()[index];
@@ -100,7 +100,7 @@ void GcpwCompensator::apply(int index, Point corner, InputOutputArray image, Inp
     const Rect2d bounds = placed.mesh().bounds();
     const double middle = bounds.x + 0.5 * bounds.width;
     int hint = -1;
-    correctPicture(picture, color, [&](Point2d p)
+    const GridPosition position = positionOnNodes(picture.size(), [&](Point2d p)
     {
         Point2d canvas = p + Point2d(corner);
         if (period > 0)
@@ -108,6 +108,7 @@ void GcpwCompensator::apply(int index, Point corner, InputOutputArray image, Inp
         const Point2d at = placed.latticePoint(placed.referenceAt(canvas, hint));
         return Point2d((at.x + 0.5) * x_scale, (at.y + 0.5) * y_scale);
     });
+    ColorField(color).apply(picture, Mat(), position);
 }
 
 void GcpwCompensator::getMatGains(std::vector<Mat>& gains)

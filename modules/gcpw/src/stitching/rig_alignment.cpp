@@ -6,6 +6,7 @@
 #include <exception>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
+#include "rendering/remap_tiled.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/seam_rotation.hpp"
 #include "opencv2/gcpw/aligner.hpp"
@@ -19,7 +20,6 @@ namespace gcpw
 namespace
 {
 
-const int MAX_SIDE = 32766;       ///< px: cv::remap takes no more
 const double MAX_GROWTH = 16;     ///< of an image's area by the base warper: beyond it the camera is wrong
 const double MAX_MOVE = 0.5;      ///< of the larger side of an image: a mesh that moves farther is no refinement
 const double WORK_SLACK = 2;      ///< the canvas may have this many times workMegapix before it is scaled down once more
@@ -58,7 +58,7 @@ std::string cameraFault(const Mat& K, const Mat& R, size_t index)
 
 std::string roiFault(Rect roi, Size image, size_t index)
 {
-    if (roi.width > 0 && roi.height > 0 && roi.width <= MAX_SIDE && roi.height <= MAX_SIDE &&
+    if (roi.width > 0 && roi.height > 0 && roi.width <= MAX_REMAP_SIDE && roi.height <= MAX_REMAP_SIDE &&
         static_cast<double>(roi.width) * roi.height <= MAX_GROWTH * image.area() + 1e4)
         return {};
     return format("camera %zu would make a picture of %d x %d px of an image of %d x %d px", index, roi.width, roi.height,
@@ -73,8 +73,8 @@ std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypo
     canvas.images.resize(images.size());
     canvas.masks.resize(images.size());
     bool straddles = false;
-    int left = MAX_SIDE;
-    int right = -MAX_SIDE;
+    int left = MAX_REMAP_SIDE;
+    int right = -MAX_REMAP_SIDE;
     for (size_t i = 0; i < images.size(); ++i)
     {
         Mat K;
@@ -99,7 +99,7 @@ std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypo
         {
             // What the projection has no place for goes far outside, where it is left out.
             const Point2f p = warper.warpPoint(keypoints[i].points[k], K, off_seam) - Point2f(corner);
-            canvas.keypoints[i].points[k] = std::isfinite(p.x) && std::isfinite(p.y) ? p : Point2f(-MAX_SIDE, -MAX_SIDE);
+            canvas.keypoints[i].points[k] = std::isfinite(p.x) && std::isfinite(p.y) ? p : Point2f(-MAX_REMAP_SIDE, -MAX_REMAP_SIDE);
         }
         corner.x += cvRound(seam_rotation_rad * warper.getScale());
         canvas.corners.push_back(corner);

@@ -10,6 +10,7 @@
 #include "stitching/seam_rotation.hpp"
 #include "stitching/warp_maps.hpp"
 #include "rendering/extension.hpp"
+#include "rendering/remap_tiled.hpp"
 
 namespace cv
 {
@@ -20,9 +21,6 @@ namespace detail
 
 namespace
 {
-
-const int MAX_SIDE = 32766; ///< px: cv::remap takes no more
-const int TILE = 1024;      ///< rows a remap call: bounds its temporaries
 
 Mat floats(InputArray matrix, const char* name)
 {
@@ -37,9 +35,9 @@ Mat floats(InputArray matrix, const char* name)
 /// A bad camera must not eat the memory.
 void checkRoi(Rect roi)
 {
-    if (roi.width <= 0 || roi.height <= 0 || roi.width > MAX_SIDE || roi.height > MAX_SIDE)
+    if (roi.width <= 0 || roi.height <= 0 || roi.width > MAX_REMAP_SIDE || roi.height > MAX_REMAP_SIDE)
         CV_Error(Error::StsOutOfRange,
-                 format("gcpw: the camera would make a picture of %d x %d px, more than %d px a side", roi.width, roi.height, MAX_SIDE));
+                 format("gcpw: the camera would make a picture of %d x %d px, more than %d px a side", roi.width, roi.height, MAX_REMAP_SIDE));
 }
 
 /// What a call does: calls of one kind come in the order of the images.
@@ -190,19 +188,11 @@ Point GcpwWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mo
         checkRoi(impl_->base->warpRoi(src.size(), camera_call.K, Mat(camera_call.R)));
         return impl_->base->warp(src, camera_call.K, Mat(camera_call.R), interp_mode, border_mode, dst);
     }
-    Mat image = src.getMat();
+    const Mat image = src.getMat();
     impl_->build(camera_call, image.size());
     dst.create(impl_->roi.size(), image.type());
     Mat picture = dst.getMat();
-    // One tile must not overwrite what the next one reads.
-    if (image.datastart < picture.dataend && picture.datastart < image.dataend)
-        image = image.clone();
-    for (int top = 0; top < picture.rows; top += TILE)
-    {
-        const Range rows(top, std::min(top + TILE, picture.rows));
-        Mat part = picture.rowRange(rows);
-        remap(image, part, impl_->x_map.rowRange(rows), impl_->y_map.rowRange(rows), interp_mode, border_mode);
-    }
+    remapTiled(image, picture, impl_->x_map, impl_->y_map, interp_mode, border_mode);
     // A mirrored image ends nowhere under the base warper either: blenders mix what lies beyond the border.
     if (border_mode == BORDER_REFLECT || border_mode == BORDER_REFLECT_101 || border_mode == BORDER_REPLICATE)
         extendOutside(picture, (impl_->x_map != -1) | (impl_->y_map != -1));

@@ -1,0 +1,28 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_BLEND_HPP
+#define OPENCV_GCPW_BLEND_HPP
+
+#include <array>
+#include <opencv2/core.hpp>
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// Two pictures of one canvas: CV_8UC3, black outside their masks.
+typedef std::array<Mat, 2> TwoImages;
+
+/// Where each has pixels: CV_8UC1, 255 inside.
+typedef std::array<Mat, 2> TwoMasks;
+
+/// The mean of both where both have pixels, and each alone elsewhere. CV_8UC3.
+Mat blendAverage(const TwoImages& images, const TwoMasks& masks);
+
+/// Graph-cut seam and multi-band blender of cv::Stitcher; black where neither has pixels. CV_8UC3.
+Mat blendMultiband(const TwoImages& images, const TwoMasks& masks);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
