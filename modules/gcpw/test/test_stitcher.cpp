@@ -240,8 +240,11 @@ TEST(Gcpw_Stitcher, scans_with_a_change_of_scale_line_up)
     const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
     Mat panorama;
     ASSERT_EQ(stitcher->stitch(images, panorama), Stitcher::OK);
-    ASSERT_TRUE(binding->rig().usable()) << binding->rig().alignment.report().message;
-    for (const gcpw::PairReport& pair : binding->rig().alignment.report().pairs)
+    // The rough alignment is nearly the truth here: it may be kept.
+    const gcpw::Report& report = binding->rig().alignment.report();
+    ASSERT_TRUE(report.status == gcpw::Status::OK || report.status == gcpw::Status::ROUGH) << report.message;
+    EXPECT_FALSE(report.pairs.empty());
+    for (const gcpw::PairReport& pair : report.pairs)
         EXPECT_LT(pair.miss_after, 10);
     // The same point of the scene, seen by either scan, lies at one place of the canvas.
     const Ptr<cv::detail::RotationWarper> warper = stitcher->warper()->create(1);
@@ -268,8 +271,10 @@ TEST(Gcpw_Stitcher, images_across_the_seam_join_the_circle)
     gcpw::Params params = quick();
     params.referenceImage = 0;
     const gcpw::Rig rig = gcpw::alignRig(images, cameras, makePtr<cv::SphericalWarper>(), params);
-    ASSERT_TRUE(rig.usable()) << rig.alignment.report().message;
-    EXPECT_GE(rig.alignment.report().pairs.size(), size_t(12));
+    // The cameras are the truth: the rough alignment may be kept.
+    const gcpw::Report& report = rig.alignment.report();
+    ASSERT_TRUE(report.status == gcpw::Status::OK || report.status == gcpw::Status::ROUGH) << report.message;
+    EXPECT_GE(report.pairs.size(), size_t(12));
     EXPECT_GT(std::count_if(rig.turns.begin(), rig.turns.end(), [](double turn) { return turn != 0; }), 0);
 }
 
