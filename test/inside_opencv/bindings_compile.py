@@ -22,9 +22,9 @@ PROPERTY = re.compile(r"\bCV_PROP(?:_RW)?\s+[\w:<>]+\s+(\w+)")
 FUNCTION = re.compile(r"\bCV_(?:WRAP|EXPORTS_W|(?:WRAP|EXPORTS)_AS\((\w+)\))\s+(?!class|struct)(?:[^;(){}]*?\s)?[&*]?(\w+)\s*\(")
 
 
-def headers_of(tree, modules, own):
+def headers_of(modules, module, own):
     """All headers to wrap, and those with converters that cv2 includes, as OpenCV's CMake collects them."""
-    wrapped, converters = [], []
+    wrapped, converters = [], sorted((module / "misc/python").glob("pyopencv*.hpp"))
     for folder in modules:
         include = folder / "include/opencv2"
         for place in (include, include / folder.name, include / folder.name / "detail"):
@@ -62,11 +62,12 @@ def python_flags():
 
 def main(arguments):
     tree = Tree(arguments[1], arguments[2])
-    include = pathlib.Path(arguments[3]) / "include"
+    module = pathlib.Path(arguments[3]).resolve()
+    include = module / "include"
     own = sorted(include.glob("**/*.hpp"))
     modules = tree.modules(MODULES)
     flags = tree.configure(modules)
-    wrapped, converters = headers_of(tree, modules, own)
+    wrapped, converters = headers_of(modules, module, own)
     (tree.scratch / "headers.txt").write_text("\n".join(map(str, wrapped)), encoding="utf-8")
     (tree.scratch / "pyopencv_custom_headers.h").write_text(
         "".join(f'#include "{path}"\n' for path in converters), encoding="utf-8")

@@ -8,6 +8,7 @@ import sys
 import unittest
 
 import cv2
+import numpy
 
 HEADERS = pathlib.Path(sys.argv.pop(1))
 DOCUMENTED = re.findall(r"CV_PROP_RW \w+ (\w+);", (HEADERS / "opencv2/gcpw/params.hpp").read_text(encoding="utf-8"))
@@ -52,6 +53,55 @@ class Params(unittest.TestCase):
     def test_an_unknown_name_is_refused(self):
         with self.assertRaisesRegex(cv2.error, "simlarityWeight"):
             cv2.gcpw.Params().set("simlarityWeight", 1)
+
+
+def two_views():
+    """Two overlapping parts of one smooth, textured picture: the second starts 80 px further right."""
+    noise = numpy.random.RandomState(7).randint(0, 256, (240, 400, 3)).astype(numpy.uint8)
+    picture = cv2.normalize(cv2.GaussianBlur(noise, (0, 0), 2), None, 0, 255, cv2.NORM_MINMAX)
+    return picture[:, :320].copy(), picture[:, 80:].copy()
+
+
+class Pair(unittest.TestCase):
+    def test_two_photographs_become_one_picture(self):
+        source, target = two_views()
+        done, panorama = cv2.gcpw.stitchPair(source, target)
+        self.assertTrue(done)
+        self.assertGreaterEqual(panorama.shape[1], 395)
+
+    def test_each_step_can_be_called_alone(self):
+        source, target = two_views()
+        alignment = cv2.gcpw.alignPair(source, target)
+        self.assertEqual(alignment.imageCount(), 2)
+        self.assertEqual(alignment.image(0).mesh.shape, (33, 33, 2))
+        self.assertEqual(alignment.report().folds, 0)
+        canvas = cv2.gcpw.renderPair(alignment, source, target)
+        self.assertEqual(cv2.gcpw.blendPair(canvas, cv2.gcpw.BLEND_AVERAGE).shape, canvas.source.shape)
+        self.assertLess(cv2.gcpw.scorePair(canvas).zncc, 20)
+
+
+class Stitching(unittest.TestCase):
+    def test_a_stitcher_can_be_attached_to(self):
+        binding = cv2.gcpw.attach(cv2.Stitcher.create())
+        self.assertEqual(binding.estimations(), 0)
+        self.assertEqual(list(binding.replacedParts()), [])
+        self.assertFalse(binding.rig().usable())
+
+    def test_the_compensator_makes_colours_agree(self):
+        images = list(two_views())
+        images[1] = (images[1] * 0.7).astype(numpy.uint8)
+        corners = [(0, 0), (80, 0)]
+        masks = [numpy.full(image.shape[:2], 255, numpy.uint8) for image in images]
+        before = cv2.absdiff(images[0][:, 80:], images[1][:, :240]).mean()
+        compensator = cv2.gcpw.GcpwCompensator()
+        compensator.feed(corners, images, masks)
+        for k in range(2):
+            images[k] = compensator.apply(k, corners[k], images[k], masks[k])
+        self.assertLess(cv2.absdiff(images[0][:, 80:], images[1][:, :240]).mean(), 0.2 * before)
+
+    def test_a_base_warper_that_does_not_exist_is_refused(self):
+        with self.assertRaisesRegex(cv2.error, "sperical"):
+            cv2.gcpw.alignRig(list(two_views()), [cv2.detail.CameraParams(), cv2.detail.CameraParams()], "sperical")
 
 
 class Constants(unittest.TestCase):

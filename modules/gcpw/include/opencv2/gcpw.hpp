@@ -8,19 +8,30 @@
 Aligns overlapping photographs by a mesh and a local affine colour model of each image, estimated together
 @cite chen2018gcpw.
 
-Coordinates: a pixel centre has integer coordinates. The *rest frame* of an image is its own pixels; the *canvas* is the
-panorama. Estimation happens at the working resolution (Params::workMegapix), rendering at full resolution.
+Coordinates: a pixel centre has integer coordinates. The *canvas* is the plane of the panorama. Estimation happens at the working
+resolution (Params::workMegapix), rendering at full resolution.
+
+@code
+cv::Mat panorama;
+if (cv::gcpw::stitchPair(cv::imread("a.jpg"), cv::imread("b.jpg"), panorama)) // two photographs
+    cv::imwrite("panorama.png", panorama);
+
+const cv::Ptr<cv::Stitcher> stitcher = cv::Stitcher::create(); // several photographs
+cv::gcpw::attach(stitcher);
+stitcher->stitch(photographs, panorama);
+@endcode
 
 | header | holds |
 |---|---|
-| params.hpp | Method, Params: every constant |
+| params.hpp | Method, Params: the parameters |
 | alignment.hpp | Alignment: meshes, colours, report |
 | aligner.hpp | Aligner: any number of roughly aligned images |
 | pair.hpp | alignPair, stitchPair: two photographs |
 | pair_matches.hpp | PairMatches: what two photographs have in common, found once |
 | stitcher.hpp | attach: GCPW inside cv::Stitcher |
 | rig.hpp | Rig: an alignment with its cameras, for many frames |
-| warper.hpp | GcpwWarper: the mesh behind any base warper |
+| warper.hpp | GcpwWarper: the meshes of a rig behind any warper |
+| rotation_warper.hpp | GcpwRotationWarper: what GcpwWarper makes |
 | compensator.hpp | GcpwCompensator: local colours |
 */
 
@@ -31,6 +42,7 @@ panorama. Estimation happens at the working resolution (Params::workMegapix), re
 #include "opencv2/gcpw/pair_matches.hpp"
 #include "opencv2/gcpw/params.hpp"
 #include "opencv2/gcpw/rig.hpp"
+#include "opencv2/gcpw/rotation_warper.hpp"
 #include "opencv2/gcpw/stitcher.hpp"
 #include "opencv2/gcpw/warper.hpp"
 

@@ -48,6 +48,11 @@ PairMatches findPairMatches(InputArray source, InputArray target, const Params& 
     return found;
 }
 
+Alignment alignPair(InputArray source, InputArray target, const Params& params)
+{
+    return alignPair(source, target, params, Progress());
+}
+
 Alignment alignPair(InputArray source, InputArray target, const Params& params, const Progress& progress)
 {
     params.check();

@@ -105,6 +105,11 @@ Mat blendPair(const PairCanvas& canvas, Blend blend)
                                    : blendMultiband({{canvas.source_corrected, canvas.target}}, masks);
 }
 
+void blendPair(const PairCanvas& canvas, Blend blend, OutputArray picture)
+{
+    blendPair(canvas, blend).copyTo(picture);
+}
+
 Score scorePair(const PairCanvas& canvas)
 {
     return scoreOverlap(canvas.source, canvas.target, canvas.source_mask & canvas.target_mask);
@@ -115,7 +120,7 @@ bool stitchPair(InputArray source, InputArray target, OutputArray panorama, cons
     const Alignment alignment = alignPair(source, target, params);
     if (alignment.report().status == Status::NO_ALIGNMENT)
         return false;
-    blendPair(renderPair(alignment, source, target), blend).copyTo(panorama);
+    blendPair(renderPair(alignment, source, target), blend, panorama);
     return true;
 }
 

@@ -9,6 +9,7 @@
 #include "rendering/remap_tiled.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/seam_rotation.hpp"
+#include "stitching/warper_names.hpp"
 #include "opencv2/gcpw/aligner.hpp"
 #include "opencv2/gcpw/rig.hpp"
 
@@ -246,6 +247,12 @@ Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraPara
     if (!keypoints.empty())
         CV_CheckEQ(mats.size(), keypoints.size(), "gcpw: alignRig() takes keypoints for each image, or none");
     return estimateRig(mats, cameras, base, params, progress, keypoints).rig;
+}
+
+Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras, const String& warper,
+             const Params& params)
+{
+    return alignRig(images, cameras, warperOfName(warper), params);
 }
 
 } // namespace gcpw

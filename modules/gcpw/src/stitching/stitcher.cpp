@@ -2,6 +2,7 @@
 #include "opencv2/gcpw/stitcher.hpp"
 
 #include <opencv2/core/utils/logger.hpp>
+#include "stitching/part_factory.hpp"
 #include "stitching/seeded_matcher.hpp"
 #include "stitching/stitcher_binding.hpp"
 
@@ -40,6 +41,11 @@ Ptr<cv::detail::FeaturesMatcher> plainMatcher(const Ptr<Stitcher>& stitcher)
 
 } // namespace
 
+Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params)
+{
+    return attach(stitcher, params, Progress());
+}
+
 Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params, const Progress& progress)
 {
     if (!stitcher)
@@ -69,8 +75,8 @@ Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params,
     binding->shared_state()->before_feed = hook(&Binding::atWork);
     // The warper keeps the binding alive for callers who drop it.
     const std::shared_ptr<SharedState> shared_state(binding, binding->shared_state().get());
-    stitcher->setWarper(makePtr<GcpwWarper>(shared_state));
-    const Ptr<GcpwCompensator> compensator = makePtr<GcpwCompensator>(params, shared_state);
+    stitcher->setWarper(PartFactory::warper(shared_state));
+    const Ptr<GcpwCompensator> compensator = PartFactory::compensator(params, shared_state);
     compensator->setFallback(plainCompensator(stitcher));
     stitcher->setExposureCompensator(compensator);
     stitcher->setFeaturesFinder(makePtr<ImageCapture>(finder, binding->shown(), hook(&Binding::atWork)));

@@ -1,8 +1,9 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#include "stitching/affine_warper.hpp"
-#include "stitching/shared_state.hpp"
-#include "opencv2/gcpw/compensator.hpp"
 #include "opencv2/gcpw/warper.hpp"
+
+#include "stitching/affine_warper.hpp"
+#include "stitching/part_factory.hpp"
+#include "stitching/shared_state.hpp"
 
 namespace cv
 {
@@ -26,7 +27,7 @@ Ptr<cv::detail::RotationWarper> GcpwWarper::create(float scale) const
     if (shared_state->before_create)
         shared_state->before_create();
     const Ptr<cv::detail::RotationWarper> warper =
-        makePtr<detail::GcpwWarper>(trueWarper(shared_state->base->create(scale)), shared_state->model);
+        PartFactory::rotationWarper(trueWarper(shared_state->base->create(scale)), shared_state->model);
     shared_state->noteScale(scale);
     shared_state->warper = warper;
     return warper;
@@ -49,7 +50,7 @@ Ptr<WarperCreator> GcpwWarper::base() const
 
 Ptr<GcpwCompensator> GcpwWarper::compensator(const Params& params) const
 {
-    return makePtr<GcpwCompensator>(params, shared_state_);
+    return PartFactory::compensator(params, shared_state_);
 }
 
 } // namespace gcpw

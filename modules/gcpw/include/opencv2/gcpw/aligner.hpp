@@ -12,45 +12,53 @@ namespace gcpw
 //! @addtogroup gcpw
 //! @{
 
-/// Points that two of the images given to Aligner::align() have in common, in the pixels of each of them.
+/// Matches of two of the images given to Aligner::align(), in pixels of each of them.
 struct CV_EXPORTS Correspondences
 {
-    int a = 0; //!< index of the one image
+    int a = 0; //!< index of the one image, 0-based
     int b = 1; //!< index of the other, not a
-    std::vector<Point2f> points_a; //!< finite, as all points here
-    std::vector<Point2f> points_b; //!< as many as points_a; wrong ones are found and left out
+    std::vector<Point2f> points_a; //!< pixels of image a as given, finite
+    std::vector<Point2f> points_b; //!< the match of each of points_a in image b; wrong ones are found and left out
 };
 
-/// SIFT keypoints of one image that were found already, to save finding them again.
+/// SIFT keypoints of one image that are known already, to save finding them again.
 struct CV_EXPORTS KnownKeypoints
 {
-    std::vector<Point2f> points; //!< px of the image as given
+    std::vector<Point2f> points; //!< pixels of the image as given
     Mat descriptors;             //!< points.size() x 128, CV_32F or CV_8U, as cv::SIFT computes them
 };
 
 /** @brief Refines roughly aligned images on a canvas: meshes and colours of all of them in one problem.
 
-Every pair that overlaps ties its two images, so loops close and no image is privileged by its order. The reference
-image (Params::referenceImage) keeps its place. Of two images it keeps its colours too; of more only if it is named, else
-colours are changed by mean gain 1 and mean bias 0 (Params::balanceWeight). */
+Every pair that overlaps adds its terms, so loops close and the order of the images does not matter. The reference image
+(Params::referenceImage) keeps its place. Of two images it keeps its colours too; of more only if it is named, else colours are
+changed by mean gain 1 and mean bias 0 (Params::balanceWeight). Thread-safe: align() changes nothing in the object.
+
+@code
+// corners, images, masks: as warped by any cv::detail::RotationWarper
+const cv::Ptr<cv::gcpw::Aligner> aligner = cv::gcpw::Aligner::create();
+const cv::gcpw::Alignment alignment = aligner->align(corners, images, masks);
+@endcode */
 class CV_EXPORTS Aligner
 {
 public:
     virtual ~Aligner();
 
-    /// @throws cv::Exception if params are out of range
+    /** @brief Makes an aligner.
+    @param params kept as a copy
+    @throws cv::Exception if params are out of range */
     static Ptr<Aligner> create(const Params& params = Params());
 
     /** @brief Aligns images that a rough alignment has already warped onto one canvas.
 
     The first three arguments are those of cv::detail::ExposureCompensator::feed.
-    @param corners canvas position of the top-left pixel of each image; moving all of them moves the result and no more
-    @param images 8-bit BGR, gray or BGRA
+    @param corners canvas position of the top-left pixel of each image; moving all of them by the same vector moves the result by it
+    @param images one or more, 8-bit BGR, gray or BGRA
     @param masks CV_8UC1 of the same sizes, non-zero inside; an empty vector means everywhere
-    @param correspondences matches known already; where none are given for any pair, they are found here
+    @param correspondences matches known already; if there are any, no others are looked for, also not for other pairs
     @param progress may be empty; cancelling returns the rough alignment with Status::CANCELLED
     @param keypoints one entry for each image, or none; where an entry is empty, they are found here
-    @return meshes at rest with a status other than OK where the refinement had no answer
+    @return one image for each of those given; where the refinement failed, undeformed meshes and a status other than OK
     @throws cv::Exception before any work, if counts, sizes or types do not fit, a value is not finite, the canvas would exceed
     2^20 px a side or Params::canvasPeriod is narrower than an image */
     virtual Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks,
@@ -58,6 +66,7 @@ public:
                             const Progress& progress = Progress(),
                             const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>()) = 0;
 
+    /// What create() was given.
     virtual const Params& params() const = 0;
 };
 

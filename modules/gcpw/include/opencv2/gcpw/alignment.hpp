@@ -15,15 +15,16 @@ namespace gcpw
 //! @addtogroup gcpw
 //! @{
 
-/** @brief Called now and then with the stage ("features", "homography", "align", "render") and the share of it that is
-done, 0..1. Return false to cancel. */
+/** @brief Called from time to time during a long call. Return false to cancel.
+
+Arguments: the stage ("features", "homography", "align", "render") and the fraction of that stage that is done, 0..1. */
 typedef std::function<bool(const std::string& stage, double fraction)> Progress;
 
 /// How an alignment ended.
 enum class Status
 {
     OK = 0,          //!< refined as asked
-    ROUGH = 1,       //!< the refinement had no answer or none that is better; the rough alignment is returned (see Report::message)
+    ROUGH = 1,       //!< the refinement failed or improved nothing; the rough alignment is returned (see Report::message)
     NO_ALIGNMENT = 2, //!< not even a rough alignment was found
     CANCELLED = 3    //!< the progress callback said stop; the rough alignment is returned
 };
@@ -32,7 +33,7 @@ enum class Status
 struct CV_EXPORTS TermEnergy
 {
     std::string name; //!< "photometric", "points", "lines", "similarity", "color_smoothness", ..
-    double value;
+    double value;     //!< of the whole level
 
     explicit TermEnergy(const std::string& term = std::string(), double energy = 0) : name(term), value(energy) {}
 };
@@ -47,36 +48,38 @@ enum class StopReason
     MESH_STABLE = 1,     //!< no vertex moved farther than Params::stopMotion
     ENERGY_STABLE = 2,   //!< the energy sank by less than Params::stopGain
     NO_DESCENT = 3,      //!< no part of the step lowers the energy, or each folds a quad: the last state is the result
-    SINGULAR = 4,        //!< the equations had no answer; the last good state was kept
+    SINGULAR = 4,        //!< the normal equations are singular; the last good state was kept
     CANCELLED = 5        //!< the progress callback said stop
 };
 
 /// What happened on one pyramid level.
 struct CV_EXPORTS LevelReport
 {
-    double scale = 1; //!< working pixels per pixel of this level
-    int iterations = 0;
+    double scale = 1; //!< working pixels per pixel of this level, >= 1
+    int iterations = 0; //!< Gauss-Newton iterations made
     std::vector<TermEnergy> start; //!< after the colours were initialised (eq. initialfunction)
-    std::vector<TermEnergy> end;
+    std::vector<TermEnergy> end; //!< of the last state accepted; the same terms as start
     StopReason stop = StopReason::ITERATION_LIMIT; //!< why it ended
 };
 
 /// How well two images line up; lower is better, 0 is perfect, NaN where nothing could be compared.
-struct CV_EXPORTS Score
+struct CV_EXPORTS_W_SIMPLE Score
 {
-    double ncc = 0;  //!< 100 * RMS of 1 - NCC over 5 x 5 windows, the paper's measure
-    double zncc = 0; //!< 100 * RMS of 1 - zero-mean NCC over windows with texture in both images
+    Score() : ncc(0), zncc(0) {}
+
+    CV_PROP_RW double ncc;  //!< 100 * RMS of 1 - NCC over 5 x 5 windows, the paper's measure
+    CV_PROP_RW double zncc; //!< 100 * RMS of 1 - zero-mean NCC over windows with texture in both images
 };
 
 /// What was found between two images.
 struct CV_EXPORTS PairReport
 {
-    int a = 0;
-    int b = 1;
+    int a = 0;      //!< index of the one image
+    int b = 1;      //!< index of the other
     int points = 0; //!< point matches used
     int lines = 0;  //!< line matches used
-    /// 100 * RMS of 1 - zero-mean NCC over windows of 5 x 5 working pixels with texture in both images: Score::zncc without
-    /// rendering, over the rows of a large image that suffice. Of the rough alignment; NaN where nothing could be compared.
+    /// Score::zncc of the rough alignment, found without rendering: over windows of 5 x 5 working pixels, of a large image only
+    /// over as many rows as suffice. NaN where nothing could be compared.
     double miss_before = 0;
     double miss_after = 0; //!< the same of the result
 };
@@ -87,70 +90,96 @@ struct CV_EXPORTS Timings
     double features = 0;   //!< detection and description
     double homography = 0; //!< matching and rough alignment
     double align = 0;      //!< everything from the rough alignment to the final mesh and colours
-    double total = 0;
+    double total = 0;      //!< the whole call
 };
 
-/// Everything worth knowing about how an alignment came about.
-struct CV_EXPORTS Report
+/// How an alignment came about.
+struct CV_EXPORTS_W_SIMPLE Report
 {
-    Status status = Status::OK;
-    std::string message; //!< why the status is not OK, or what is missing although it is; else empty
+    Report() : status(Status::OK), folds(0), max_displacement_px(0), gain_min(1), gain_max(1) {}
+
+    CV_PROP_RW Status status;       //!< how it ended
+    CV_PROP_RW std::string message; //!< why the status is not OK, or what is missing although it is; else empty
     std::vector<LevelReport> levels; //!< coarse to fine
-    std::vector<PairReport> pairs;
-    int folds = 0;                  //!< folded or flipped quads of all meshes; 0 by construction
-    double max_displacement_px = 0; //!< largest move of a vertex from the rough alignment, working pixels
-    double gain_min = 1;            //!< over all quads and channels
-    double gain_max = 1;
-    Timings timings_ms;
+    std::vector<PairReport> pairs;   //!< one for each pair of images that was aligned to each other
+    CV_PROP_RW int folds;                  //!< folded or flipped quads of all meshes; 0 by construction
+    CV_PROP_RW double max_displacement_px; //!< largest distance of a vertex from its rough position, working pixels
+    CV_PROP_RW double gain_min;            //!< smallest gain of all quads and channels, 1: no change
+    CV_PROP_RW double gain_max;            //!< largest gain of all quads and channels
+    Timings timings_ms;                    //!< how long it took
 };
 
-/** @brief The result of an alignment: where every image lies on the canvas, and how its colours change.
+/** @brief Where one image lies on the canvas, and how its colours change.
+
+A mesh of cols x rows quads of equal size covers the image; vertex (r, c) lies at ((c / cols) * work_size.width - 0.5,
+(r / rows) * work_size.height - 0.5) of the image, in working pixels. */
+struct CV_EXPORTS_W_SIMPLE AlignedImage
+{
+    CV_PROP_RW Size full_size; //!< pixels of the image as it was given, 1 x 1 or more
+    CV_PROP_RW Size work_size; //!< pixels of the image as it was aligned: the unit of its mesh
+    CV_PROP_RW Mat mesh;       //!< (rows + 1) x (cols + 1), CV_64FC2: canvas position x, y of each vertex, working pixels
+    CV_PROP_RW Mat rough;      //!< the same before refinement
+    CV_PROP_RW Mat color; //!< rows x cols, CV_32FC(6): gain of Y, Cr, Cb, then bias of Y, Cr, Cb of each quad; intensities in [0, 1]
+};
+
+/** @brief The result of an alignment.
 
 Immutable. Meshes and colours are kept at the working resolution; scaling acts on pixel squares:
-work = (full + 0.5) * work_size / full_size - 0.5, on the canvas and on each image. */
-class CV_EXPORTS Alignment
+work = (full + 0.5) * work_size / full_size - 0.5, on the canvas and on each image.
+
+@code
+const cv::gcpw::Alignment alignment = cv::gcpw::alignPair(source, target);
+if (!alignment.ok())
+    std::cout << alignment.report().message << std::endl;
+alignment.save("pair.yml.gz");
+const cv::Vec2d corner = alignment.image(0).mesh.at<cv::Vec2d>(0, 0); // canvas position of the top-left vertex
+@endcode */
+class CV_EXPORTS_W_SIMPLE Alignment
 {
 public:
-    struct Image
-    {
-        Size full_size; //!< pixels of the image as it was given
-        Size work_size; //!< pixels at which its mesh is expressed
-        Mat mesh;       //!< (rows + 1) x (cols + 1), CV_64FC2: canvas position of each vertex, working pixels
-        Mat rough;      //!< the same before refinement
-        Mat color;      //!< rows x cols, CV_32FC(6): gain Y, Cr, Cb, bias Y, Cr, Cb of each quad; intensities in [0, 1]
-    };
+    typedef AlignedImage Image; //!< its name in earlier versions
 
+    /// No images, Status::OK.
     Alignment() = default;
 
-    /** @param images none, or images of sizes of at least 1 px, of 2..256 quads a side and of finite values
+    /** @param images none, or images with sizes of at least 1 px, 2..256 quads a side and finite values
     @param canvas_scale see canvasScale(), finite and > 0
     @param report how they came about
-    @throws cv::Exception that names the image and the part of it that is not as described at Image */
-    Alignment(const std::vector<Image>& images, Size2d canvas_scale, const Report& report);
+    @throws cv::Exception that names the image and the part of it that is not as described at AlignedImage */
+    Alignment(const std::vector<AlignedImage>& images, Size2d canvas_scale, const Report& report);
 
-    bool ok() const { return report_.status == Status::OK; }
-    int imageCount() const { return static_cast<int>(images_.size()); }
+    /// Whether the images were refined as asked: Status::OK.
+    CV_WRAP bool ok() const { return report_.status == Status::OK; }
 
-    /// @throws cv::Exception StsOutOfRange if there is no such image
-    const Image& image(int index) const;
+    /// 0 if there is no alignment at all.
+    CV_WRAP int imageCount() const { return static_cast<int>(images_.size()); }
+
+    /** @brief One image; its Mats are shared with the alignment: clone them before you write.
+    @param index 0..imageCount() - 1, in the order in which the images were given
+    @throws cv::Exception StsOutOfRange if there is no such image */
+    CV_WRAP const AlignedImage& image(int index) const;
 
     /// Working canvas pixels per full-resolution canvas pixel, x and y.
     Size2d canvasScale() const { return canvas_scale_; }
 
-    const Report& report() const { return report_; }
+    /// How it came about, and how well.
+    CV_WRAP const Report& report() const { return report_; }
 
-    /// The same images where the rough alignment has them, colours untouched.
-    Alignment rough() const;
+    /// The same images where the rough alignment has them, colours unchanged.
+    CV_WRAP Alignment rough() const;
 
-    /** @brief Writes everything that rendering needs: .yml, .xml or .json, with .gz compressed. Numbers are kept exactly.
+    /** @brief Writes everything that rendering needs. Numbers are kept exactly.
+    @param path ending in .yml, .xml or .json; with .gz behind it compressed
     @throws cv::Exception StsError if not all of it can be written; a file that was there before is kept then */
-    void save(const std::string& path) const;
+    CV_WRAP void save(const std::string& path) const;
 
-    /// @throws cv::Exception StsError if there is no such file, StsParseError if it is not an alignment; both name the file
-    static Alignment load(const std::string& path);
+    /** @brief Reads what save() wrote.
+    @param path of the file
+    @throws cv::Exception StsError if there is no such file, StsParseError if it is not an alignment; both name the file */
+    CV_WRAP static Alignment load(const std::string& path);
 
 private:
-    std::vector<Image> images_;
+    std::vector<AlignedImage> images_;
     Size2d canvas_scale_ = Size2d(1, 1);
     Report report_;
 };

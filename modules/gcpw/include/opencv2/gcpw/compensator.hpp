@@ -17,49 +17,68 @@ struct SharedState;
 //! @addtogroup gcpw
 //! @{
 
-/** @brief Makes colours agree with a local affine map on every quad of each image.
+/** @brief Makes colours agree by a local affine map of each image: a gain and a bias of Y, Cr and Cb for every quad.
 
-On its own, feed() estimates colours by the means and contrasts of overlapping quads while the images stand still
-(Params::balanceWeight); no image is privileged unless Params::referenceImage names one. With a rig (see
-GcpwWarper::compensator) the colours of the joint alignment are used and feed() does nothing: also where it was called before
-the rig was there. Only gains of setMatGains() come before a rig's. */
-class CV_EXPORTS GcpwCompensator : public cv::detail::ExposureCompensator
+On its own, feed() estimates them from the means and contrasts of overlapping quads, without moving the images
+(Params::balanceWeight); all images change alike unless Params::referenceImage names one that keeps its colours. With a rig (see
+GcpwWarper::compensator) the colours of the alignment are used and feed() does nothing, also if it was called before there was
+a rig. Gains given to setMatGains() take precedence over a rig's.
+
+@code
+cv::gcpw::GcpwCompensator compensator; // as any other cv::detail::ExposureCompensator
+compensator.feed(corners, images, masks);
+for (size_t i = 0; i < images.size(); ++i)
+    compensator.apply(static_cast<int>(i), corners[i], images[i], masks[i]);
+@endcode */
+class CV_EXPORTS_W GcpwCompensator : public cv::detail::ExposureCompensator
 {
 public:
-    explicit GcpwCompensator(const Params& params = Params());
+    /** @param params meshCols, meshRows, sampleStep, referenceImage, photometricWeight, colorSmoothnessWeight, colorRestWeight and
+    balanceWeight are used
+    @throws cv::Exception if params are out of range */
+    CV_WRAP explicit GcpwCompensator(const Params& params = Params());
 
     using cv::detail::ExposureCompensator::feed;
 
     /** @brief Estimates colours, unless a rig has them or setUpdateGain(false) was called after an estimate of as many
     images.
-    @param corners top-left pixels  @param images CV_8UC3 or CV_8UC1, as warped  @param masks CV_8UC1, with the value that
-    means inside
-    @throws cv::Exception if counts, types or sizes do not fit; the colours of before stay */
+    @param corners canvas position of the top-left pixel of each image
+    @param images CV_8UC3 or CV_8UC1, as warped
+    @param masks CV_8UC1 of the images' sizes, each with the value that means inside
+    @throws cv::Exception if counts, types or sizes do not fit; the previous colours are kept */
     void feed(const std::vector<Point>& corners, const std::vector<UMat>& images,
               const std::vector<std::pair<UMat, uchar> >& masks) CV_OVERRIDE;
 
-    /** @brief Corrects an image at any scale; an index without colours is left alone.
-    @param corner of the image on the canvas; used with a rig, whose meshes say what a pixel shows: corner and size tell the
-    scale of the warper, whatever warpers were made since
-    @param image CV_8UC3 or CV_8UC1 */
+    /** @brief Corrects an image at any scale.
+    @param index of the image; one without colours leaves the image as it is
+    @param corner canvas position of its top-left pixel. Used with a rig only: corner and size then tell the scale of the warper
+    that made the image, and the mesh which quad a pixel belongs to
+    @param image CV_8UC3 or CV_8UC1, corrected in place
+    @param mask used by the fallback only
+    @throws cv::Exception if the image is of another type */
     void apply(int index, Point corner, InputOutputArray image, InputArray mask) CV_OVERRIDE;
 
-    /// One rows x cols, CV_32FC(6) per image: gain Y, Cr, Cb, bias Y, Cr, Cb; intensities in [0, 1]. While the fallback is in
-    /// use, what it has.
+    /** @brief The colours in use.
+    @param gains one Mat an image, meshRows x meshCols, CV_32FC(6): gain of Y, Cr, Cb, then bias of Y, Cr, Cb of each quad;
+    intensities in [0, 1]. While the fallback is in use, its gains */
     void getMatGains(std::vector<Mat>& gains) CV_OVERRIDE;
 
-    /// Of the same type; while the fallback is in use, all other types go to it.
-    /// @throws cv::Exception if a Mat is not of that type, empty or not finite; nothing is changed then
+    /** @brief Sets the colours to use.
+    @param gains as from getMatGains(); of another type only while the fallback is in use, which then gets them
+    @throws cv::Exception if a Mat is of another type, empty or not finite; nothing is changed then */
     void setMatGains(std::vector<Mat>& gains) CV_OVERRIDE;
 
-    /// Used by feed() and apply() where neither a rig nor colours of its own are at hand.
-    void setFallback(const Ptr<cv::detail::ExposureCompensator>& fallback) { fallback_ = fallback; }
-    Ptr<cv::detail::ExposureCompensator> fallback() const { return fallback_; }
+    /** @brief Sets the compensator that feed() and apply() use while there is neither a rig nor gains of setMatGains().
+    @param fallback may be empty: then feed() estimates the colours */
+    CV_WRAP void setFallback(const Ptr<cv::detail::ExposureCompensator>& fallback) { fallback_ = fallback; }
 
-    /// Shared by the warper, the compensator and the stitcher's binding.
-    GcpwCompensator(const Params& params, const std::shared_ptr<SharedState>& shared_state);
+    /// May be empty.
+    CV_WRAP Ptr<cv::detail::ExposureCompensator> fallback() const { return fallback_; }
 
 private:
+    friend struct PartFactory;
+    GcpwCompensator(const Params& params, const std::shared_ptr<SharedState>& shared_state);
+
     /// Whose colours are shown.
     enum class Source
     {

@@ -16,21 +16,39 @@ namespace gcpw
 
 Keypoints and line segments give a rough homography, then mesh and colour of the source are estimated together. The
 canvas is the target's own frame.
-@param source, target 8-bit BGR, gray or BGRA; 16-bit is scaled down. A 4th channel is the mask of valid pixels
-@param params constants; see Params
-@param progress may be empty
-@return image 0 is the source, image 1 the target (at rest). Status NO_ALIGNMENT if the photographs do not match
+
+@code
+const cv::gcpw::Alignment alignment = cv::gcpw::alignPair(source, target);
+if (alignment.report().status == cv::gcpw::Status::NO_ALIGNMENT)
+    return false;
+cv::Mat panorama;
+cv::gcpw::blendPair(cv::gcpw::renderPair(alignment, source, target), cv::gcpw::Blend::MULTIBAND, panorama);
+@endcode
+
+@param source photograph to be warped: 8-bit BGR, gray or BGRA; 16-bit is scaled down. A 4th channel is the mask of valid
+pixels
+@param target photograph that keeps its place, of the same types
+@param params see Params; referenceImage, canvasPeriod, restWeight and balanceWeight are ignored
+@return image 0 is the source, image 1 the target, undeformed. No images and Status::NO_ALIGNMENT if the photographs do not match;
+Status::ROUGH if they match and the refinement failed or improved nothing
 @throws cv::Exception if an image is empty or of a type not listed, or params are out of range */
-CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const Params& params = Params(),
-                               const Progress& progress = Progress());
+CV_EXPORTS_W Alignment alignPair(InputArray source, InputArray target, const Params& params = Params());
+
+/** @overload
+@param source, target as above
+@param params as above
+@param progress may be empty; cancelling returns Status::CANCELLED */
+CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const Params& params, const Progress& progress);
 
 /** @brief The same with matches that are known already.
 
 Matches hold where the photographs show the same things, so the images may be recoloured or filtered copies of those that
 were matched: then the pixels are compared as the copies show them, and renderPair() takes either.
 @param source, target as above, of the sizes that `matches` names
-@param matches from findPairMatches(), or the caller's own. The methods use of them what they know: Method::CPW no lines,
+@param matches from findPairMatches(), or the caller's own. Each method uses those that it has a term for: Method::CPW no lines,
 Method::GLOBAL only the homography
+@param params as above; those of matching are ignored
+@param progress may be empty; cancelling returns Status::CANCELLED
 @throws cv::Exception also if sizes, counts or values of the matches are not as PairMatches says, before any work */
 CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const PairMatches& matches, const Params& params = Params(),
                                const Progress& progress = Progress());
@@ -38,39 +56,53 @@ CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const PairM
 /// How the two images become one picture.
 enum class Blend
 {
-    AVERAGE = 0,  //!< plain mean in the overlap, as in the paper
-    MULTIBAND = 1 //!< OpenCV's graph-cut seam and multi-band blender
+    AVERAGE = 0,  //!< plain mean in the overlap, of the source as it is: as in the paper, shows misalignment as ghosts
+    MULTIBAND = 1 //!< OpenCV's graph-cut seam and multi-band blender, of the source with its colours corrected
 };
 
 /// Both photographs on one canvas at the target's resolution; all Mats have one size.
-struct CV_EXPORTS PairCanvas
+struct CV_EXPORTS_W_SIMPLE PairCanvas
 {
-    Mat source;           //!< warped source, colours untouched, CV_8UC3
-    Mat source_mask;      //!< 255 exactly where the mesh covers a pixel centre, CV_8UC1
-    Mat source_corrected; //!< warped source with the colour model applied
-    Mat target;           //!< the target, only translated
-    Mat target_mask;
-    Mat mesh;             //!< picture of the mesh over both
-    Point target_origin;  //!< canvas pixel of the target's top-left pixel
+    CV_PROP_RW Mat source;           //!< warped source, colours unchanged, CV_8UC3; black outside its mask
+    CV_PROP_RW Mat source_mask;      //!< CV_8UC1: 255 exactly where the mesh covers a pixel centre with a valid pixel
+    CV_PROP_RW Mat source_corrected; //!< warped source with the colour model applied, CV_8UC3
+    CV_PROP_RW Mat target;           //!< the target, only translated, CV_8UC3; black outside its mask
+    CV_PROP_RW Mat target_mask;      //!< CV_8UC1: 255 where the target has a valid pixel
+    CV_PROP_RW Mat mesh;             //!< the mesh drawn over the mean of both, CV_8UC3
+    CV_PROP_RW Point target_origin;  //!< canvas pixel of the target's top-left pixel
 };
 
 /** @brief Renders an alignment at full resolution.
 @param alignment from alignPair(), with a status other than NO_ALIGNMENT
-@param source the aligned source or a recoloured copy of the same size  @param target the target
-@throws cv::Exception if sizes do not fit, or if the canvas would exceed 2^15 px or 400 Mpx */
-CV_EXPORTS PairCanvas renderPair(const Alignment& alignment, InputArray source, InputArray target);
+@param source the aligned source or a recoloured copy of the same size
+@param target the target or a recoloured copy of the same size
+@throws cv::Exception if sizes do not fit, or if the canvas would exceed 32766 px a side or 400 Mpx */
+CV_EXPORTS_W PairCanvas renderPair(const Alignment& alignment, InputArray source, InputArray target);
 
-/// One picture of a canvas, CV_8UC3. `average` mixes the untouched source, `multiband` the corrected one.
+/** @brief One picture of a canvas.
+@param canvas from renderPair()
+@param blend how
+@param picture CV_8UC3 of the canvas's size; black where neither image has pixels
+@throws cv::Exception if the canvas is empty */
+CV_EXPORTS_W void blendPair(const PairCanvas& canvas, Blend blend, OutputArray picture);
+
+/** @overload
+@return the picture */
 CV_EXPORTS Mat blendPair(const PairCanvas& canvas, Blend blend);
 
-/// Scores of the overlap of a canvas at its own resolution, source with its colours untouched.
-CV_EXPORTS Score scorePair(const PairCanvas& canvas);
+/** @brief How well the images agree in the overlap of a canvas, at its own resolution, the source with its colours unchanged.
+@param canvas from renderPair() */
+CV_EXPORTS_W Score scorePair(const PairCanvas& canvas);
 
 /** @brief alignPair(), renderPair() and blendPair() in one call.
-@param panorama receives the picture; untouched unless true is returned
-@return false if no alignment was found */
-CV_EXPORTS bool stitchPair(InputArray source, InputArray target, OutputArray panorama, const Params& params = Params(),
-                           Blend blend = Blend::MULTIBAND);
+@param source, target photographs, see alignPair()
+@param panorama receives the picture, CV_8UC3; not touched unless true is returned
+@param params see alignPair()
+@param blend how the two become one picture
+@return false if no alignment was found; true also for a rough one
+@throws cv::Exception see alignPair() and renderPair() */
+CV_EXPORTS_W bool stitchPair(InputArray source, InputArray target, OutputArray panorama, const Params& params = Params(),
+                             Blend blend = Blend::MULTIBAND);
 
 //! @}
 

@@ -14,32 +14,45 @@ namespace gcpw
 //! @addtogroup gcpw
 //! @{
 
-/** @brief What two photographs have in common: all that an alignment needs to know besides their pixels.
+/** @brief The matches of two photographs: all that an alignment needs to know besides their pixels.
 
 Found once by findPairMatches(), it serves any number of calls of alignPair(): other parameters, recoloured or filtered
-copies of the photographs, the next frame of a rig. A caller with a matcher of his own may fill it in himself.
-Positions are pixels of the photographs at full resolution, finite and at most 2^20. */
+copies of the photographs, the next frame of a rig. It may also be filled in from the results of any other matcher.
+Positions are pixels of the photographs at full resolution, finite and at most 2^20.
+
+@code
+const cv::gcpw::PairMatches matches = cv::gcpw::findPairMatches(source, target);
+cv::gcpw::Params params;
+for (double weight : {0.1, 0.2, 0.5})
+{
+    params.similarityWeight = weight;
+    show(cv::gcpw::alignPair(source, target, matches, params));
+}
+@endcode */
 struct CV_EXPORTS PairMatches
 {
     Status status = Status::OK; //!< OK, NO_ALIGNMENT or CANCELLED
     std::string message;        //!< empty, or why the status is not OK
-    Size source_size;
-    Size target_size;
-    Matx33d target_from_source = Matx33d::eye(); //!< the rough homography; keeps the whole source upright, enlarged or reduced up to 1000 times
+    Size source_size; //!< pixels of the source
+    Size target_size; //!< pixels of the target
+    /// The rough homography, pixels to pixels; does not mirror the source, and enlarges or reduces every part of it up to 1000
+    /// times.
+    Matx33d target_from_source = Matx33d::eye();
 
-    std::vector<Point2d> source_points;
-    std::vector<Point2d> target_points; //!< partner of each of source_points
-    std::vector<Vec4d> source_lines;    //!< segments as x, y of the start, x, y of the end; they match as endless lines
-    std::vector<Vec4d> target_lines;    //!< partner of each of source_lines
+    std::vector<Point2d> source_points; //!< may be empty
+    std::vector<Point2d> target_points; //!< the match of each of source_points
+    std::vector<Vec4d> source_lines;    //!< segments as x, y of the start, x, y of the end; they match as infinite lines
+    std::vector<Vec4d> target_lines;    //!< the match of each of source_lines
     std::vector<double> line_weights;   //!< > 0 and at most 1e9, one for each line; a point has weight 1
 
-    Timings timings_ms; //!< features and homography only
+    Timings timings_ms; //!< of features and homography only
 };
 
 /** @brief Finds the rough homography of two photographs, and keypoints and line segments that match, verified by a mesh.
 @param source, target 8-bit BGR, gray or BGRA; 16-bit is scaled down. A 4th channel is the mask of valid pixels
-@param params constants of mesh, resolution and matching; every method has the same matches
+@param params mesh, resolution and matching; the method is ignored: the matches serve all of them
 @param progress may be empty; cancelling returns Status::CANCELLED
+@return Status::OK with matches, or the reason why there are none
 @throws cv::Exception if an image is empty or of a type not listed, or params are out of range */
 CV_EXPORTS PairMatches findPairMatches(InputArray source, InputArray target, const Params& params = Params(),
                                        const Progress& progress = Progress());

@@ -16,60 +16,73 @@ namespace gcpw
 //! @addtogroup gcpw
 //! @{
 
-/** @brief What attach() returns: a look at the estimation inside a cv::Stitcher. May be ignored or kept.
+/** @brief What attach() returns: access to the alignment inside a cv::Stitcher. May be ignored or kept.
 
 It does not keep the stitcher alive. */
-class CV_EXPORTS StitcherBinding
+class CV_EXPORTS_W StitcherBinding
 {
 public:
     virtual ~StitcherBinding() = default;
 
-    /// The present rig; its alignment's report says how it came about, or why the plain warper was used instead.
-    virtual const Rig& rig() const = 0;
+    /// The present rig, valid until the next estimation; its alignment's report says how it came about, or why the plain warper
+    /// was used instead.
+    CV_WRAP virtual const Rig& rig() const = 0;
 
-    /** @brief A rig estimated before, by this or another process. Used as long as the stitcher's cameras are those of the rig.
+    /** @brief Sets a rig estimated before, by this or another process. Used as long as Rig::fits() the stitcher's cameras.
+    @param rig one that is not usable() is estimated anew
     @throws cv::Exception see Rig::check(); the old rig is kept then */
-    virtual void setRig(const Rig& rig) = 0;
+    CV_WRAP virtual void setRig(const Rig& rig) = 0;
 
-    /** @brief Images to estimate from where the stitcher sees none: after Stitcher::setTransform() without a rig.
+    /** @brief Sets images to estimate from where the stitcher detects no features: after Stitcher::setTransform() without a rig.
     @param images the photographs as given to the stitcher, one for each camera */
-    virtual void setImages(InputArrayOfArrays images) = 0;
+    CV_WRAP virtual void setImages(InputArrayOfArrays images) = 0;
 
     /// How often the alignment was estimated so far; does not rise while a rig is reused.
-    virtual int estimations() const = 0;
+    CV_WRAP virtual int estimations() const = 0;
 
     /** @brief Parts of the stitcher that were replaced after attach(): "warper", "exposure compensator", "features finder",
     "features matcher". Empty if GCPW is attached as a whole, or the stitcher is gone. */
-    virtual std::vector<std::string> replacedParts() const = 0;
+    CV_WRAP virtual std::vector<std::string> replacedParts() const = 0;
 };
 
-/** @brief Puts GCPW in the place of a stitcher's warper and exposure compensator; then use the stitcher as always.
+/** @brief Replaces a stitcher's warper and exposure compensator by GCPW's; then use the stitcher as always.
+
+@code
+const cv::Ptr<cv::Stitcher> stitcher = cv::Stitcher::create(cv::Stitcher::PANORAMA);
+const cv::Ptr<cv::gcpw::StitcherBinding> binding = cv::gcpw::attach(stitcher);
+cv::Mat panorama;
+stitcher->stitch(photographs, panorama);
+binding->rig().save("rig.yml.gz"); // for other photographs by the same cameras: setRig()
+@endcode
 
 Four parts are replaced, each by one that contains the stitcher's own; attaching again unwraps them first:
 - the warper, by GcpwWarper: the own one is the base warper;
 - the exposure compensator, by GcpwCompensator: the own one is the fallback;
-- the features finder, by one that keeps the images and, of SIFT, the keypoints that pass by; it finds the same;
-- the features matcher, by one that draws from a fixed state of cv::theRNG() and puts the thread's state back. OpenCV's
-  matchers look for neighbours in random trees: so the same images give the same bits again, whatever was drawn before.
+- the features finder, by one that keeps the images it is given and the keypoints it finds, if they are SIFT's; it finds the same;
+- the features matcher, by one that starts from a fixed state of cv::theRNG() and restores the thread's state afterwards.
+  OpenCV's matchers search random trees: this way the same images give the same bits every time.
 
-A part that is replaced after attach() is missed: a warning is logged, StitcherBinding::replacedParts() names it, and without
-the warper or without any images the panorama is the plain one and rig().alignment.report() says so. Call attach() last.
+Call attach() last. If a part is replaced after it, a warning is logged and StitcherBinding::replacedParts() names the part;
+without the warper or without any images the panorama is the plain one, and rig().alignment.report() says so.
 
 The alignment is estimated once the cameras are known, from the images that the stitcher computed its features on
 (registrationResol()), and kept until the cameras change: composePanorama() and setTransform() with the same cameras do not
 estimate again. Whatever goes wrong in the refinement, the stitcher goes on with its own warper and compensator; the reason is
 logged and in rig().alignment.report(). An estimate that was cancelled or short of memory is made again for the next panorama.
 
-After setTransform() with unknown cameras the stitcher shows its images to nobody in time: the plain warper is used, unless
-StitcherBinding::setImages() or setRig() was called.
+After setTransform() with unknown cameras the stitcher detects no features, so there are no images to estimate from: the plain
+warper is used, unless StitcherBinding::setImages() or setRig() was called.
 @param stitcher in PANORAMA or SCANS mode, set up completely. Without a features finder or matcher it can compose after
 setTransform(), but stitch() and estimateTransform() throw cv::Exception
-@param params constants of the alignment; referenceImage counts the images given to the stitcher
-@param progress called during the alignment; cancelling gives the plain panorama. What it throws passes through the stitcher,
-which then estimates again for the next panorama
+@param params of the alignment; referenceImage counts the images given to the stitcher, canvasPeriod is ignored
 @throws cv::Exception if the stitcher is empty, has no warper, or params are out of range */
-CV_EXPORTS Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params = Params(),
-                                       const Progress& progress = Progress());
+CV_EXPORTS_W Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params = Params());
+
+/** @overload
+@param stitcher, params as above
+@param progress called during the alignment; cancelling gives the plain panorama. What it throws passes through the stitcher,
+which then estimates again for the next panorama */
+CV_EXPORTS Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params, const Progress& progress);
 
 //! @}
 

@@ -1,5 +1,5 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
-#include "opencv2/gcpw/warper.hpp"
+#include "opencv2/gcpw/rotation_warper.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,6 @@
 namespace cv
 {
 namespace gcpw
-{
-namespace detail
 {
 
 namespace
@@ -51,7 +49,7 @@ enum class Call
 
 } // namespace
 
-class GcpwWarper::Impl
+class GcpwRotationWarper::Impl
 {
 public:
     Ptr<cv::detail::RotationWarper> base;
@@ -132,16 +130,23 @@ private:
     Key key_;
 };
 
-GcpwWarper::GcpwWarper(const Ptr<cv::detail::RotationWarper>& base, const std::shared_ptr<const RigModel>& model)
+GcpwRotationWarper::GcpwRotationWarper(const Ptr<cv::detail::RotationWarper>& base, const Rig& rig)
+    : GcpwRotationWarper(trueWarper(base), RigModel::create(rig))
+{
+}
+
+GcpwRotationWarper::GcpwRotationWarper(const Ptr<cv::detail::RotationWarper>& base, const std::shared_ptr<const RigModel>& model)
     : impl_(new Impl)
 {
+    if (!base)
+        CV_Error(Error::StsNullPtr, "gcpw: GcpwRotationWarper needs a base warper");
     impl_->base = base;
     impl_->model = model;
 }
 
-GcpwWarper::~GcpwWarper() = default;
+GcpwRotationWarper::~GcpwRotationWarper() = default;
 
-Point2f GcpwWarper::warpPoint(const Point2f& pt, InputArray K, InputArray R)
+Point2f GcpwRotationWarper::warpPoint(const Point2f& pt, InputArray K, InputArray R)
 {
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Point);
     if (camera_call.index < 0)
@@ -149,7 +154,7 @@ Point2f GcpwWarper::warpPoint(const Point2f& pt, InputArray K, InputArray R)
     return impl_->maps(camera_call).canvasAt(pt);
 }
 
-Point2f GcpwWarper::warpPointBackward(const Point2f& pt, InputArray K, InputArray R)
+Point2f GcpwRotationWarper::warpPointBackward(const Point2f& pt, InputArray K, InputArray R)
 {
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Point);
     if (camera_call.index < 0)
@@ -157,7 +162,7 @@ Point2f GcpwWarper::warpPointBackward(const Point2f& pt, InputArray K, InputArra
     return impl_->maps(camera_call).imageAt(pt);
 }
 
-Rect GcpwWarper::warpRoi(Size src_size, InputArray K, InputArray R)
+Rect GcpwRotationWarper::warpRoi(Size src_size, InputArray K, InputArray R)
 {
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Roi);
     const Rect roi = camera_call.index < 0 ? impl_->base->warpRoi(src_size, camera_call.K, Mat(camera_call.R))
@@ -166,7 +171,7 @@ Rect GcpwWarper::warpRoi(Size src_size, InputArray K, InputArray R)
     return roi;
 }
 
-Rect GcpwWarper::buildMaps(Size src_size, InputArray K, InputArray R, OutputArray xmap, OutputArray ymap)
+Rect GcpwRotationWarper::buildMaps(Size src_size, InputArray K, InputArray R, OutputArray xmap, OutputArray ymap)
 {
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Image);
     if (camera_call.index < 0)
@@ -180,7 +185,7 @@ Rect GcpwWarper::buildMaps(Size src_size, InputArray K, InputArray R, OutputArra
     return {impl_->roi.tl(), impl_->roi.br() - Point(1, 1)};
 }
 
-Point GcpwWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, OutputArray dst)
+Point GcpwRotationWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, OutputArray dst)
 {
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, impl_->kindOf(src.channels(), interp_mode, border_mode));
     if (camera_call.index < 0)
@@ -199,7 +204,7 @@ Point GcpwWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mo
     return impl_->roi.tl();
 }
 
-void GcpwWarper::warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
+void GcpwRotationWarper::warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
                               Size dst_size, OutputArray dst)
 {
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Image);
@@ -217,16 +222,15 @@ void GcpwWarper::warpBackward(InputArray src, InputArray K, InputArray R, int in
     remap(src, dst, x_map, y_map, interp_mode, border_mode);
 }
 
-float GcpwWarper::getScale() const
+float GcpwRotationWarper::getScale() const
 {
     return impl_->base->getScale();
 }
 
-void GcpwWarper::setScale(float scale)
+void GcpwRotationWarper::setScale(float scale)
 {
     impl_->base->setScale(scale);
 }
 
-} // namespace detail
 } // namespace gcpw
 } // namespace cv

@@ -1,0 +1,114 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_ROTATION_WARPER_HPP
+#define OPENCV_GCPW_ROTATION_WARPER_HPP
+
+#include <memory>
+#include <opencv2/stitching/detail/warpers.hpp>
+#include "opencv2/gcpw/rig.hpp"
+
+namespace cv
+{
+namespace gcpw
+{
+
+class RigModel;
+
+//! @addtogroup gcpw
+//! @{
+
+/** @brief A base warper followed by the mesh of the image that the call is about. What GcpwWarper::create() returns.
+
+@code
+cv::gcpw::GcpwRotationWarper warper(cv::makePtr<cv::detail::SphericalWarper>(scale), rig);
+cv::Mat picture;
+const cv::Point corner = warper.warp(photo, K, rig.cameras[0].R, cv::INTER_LINEAR, cv::BORDER_REFLECT, picture);
+@endcode
+
+The image is known by its camera's R: all nine values, as CV_32F. Cameras with equal R are told apart by the order of the
+calls since the warper was made, images and masks counted separately. A picture with one channel is taken for a mask if a picture
+with several was warped before, or if it comes with INTER_NEAREST and BORDER_CONSTANT. An R that the rig does not contain
+and an image whose mesh changes nothing get exactly the base warper.
+
+The mesh moves the base warper's canvas, so the result shows the same at every scale. An image that crosses the seam of a
+360-degree panorama has the base warper's full-width rectangle. cv::detail::AffineWarper is replaced by the affine map that it
+stands for, because OpenCV's inverts the map by transposing it.
+
+K and R of all members: 3 x 3, finite, any depth. Not thread-safe, as OpenCV's own warpers: it keeps the maps of the last image
+and counts calls. */
+class CV_EXPORTS GcpwRotationWarper : public cv::detail::RotationWarper
+{
+public:
+    /** @param base warper at the scale that this one is to have
+    @param rig what to put behind it; one that is not usable() leaves the base warper
+    @throws cv::Exception StsNullPtr if there is no base, or see Rig::check() */
+    explicit GcpwRotationWarper(const Ptr<cv::detail::RotationWarper>& base, const Rig& rig = Rig());
+    ~GcpwRotationWarper() CV_OVERRIDE;
+
+    /** @brief Canvas position of a point of an image.
+    @param pt pixels of the image
+    @param K, R its camera
+    @throws cv::Exception if K or R is not 3 x 3 or not finite; so do all members */
+    Point2f warpPoint(const Point2f& pt, InputArray K, InputArray R) CV_OVERRIDE;
+
+    /** @brief Point of an image at a canvas position; beside the mesh it is extrapolated from the border.
+    @param pt pixels of the canvas
+    @param K, R the image's camera */
+    Point2f warpPointBackward(const Point2f& pt, InputArray K, InputArray R) CV_OVERRIDE;
+
+    /** @brief Maps for cv::remap.
+    @param src_size of the image
+    @param K, R its camera
+    @param xmap, ymap CV_32FC1, of the size that warpRoi() gives: pixel of the image for each pixel of the canvas, (-1, -1) beside
+    the mesh
+    @return from the top-left to the bottom-right pixel, so one less than the maps' size, as all base warpers do
+    @throws cv::Exception StsOutOfRange if a side would exceed 32766 px, before anything is allocated */
+    Rect buildMaps(Size src_size, InputArray K, InputArray R, OutputArray xmap, OutputArray ymap) CV_OVERRIDE;
+
+    /** @brief Warps an image.
+    @param src of any type that cv::remap takes
+    @param K, R its camera
+    @param interp_mode see cv::InterpolationFlags
+    @param border_mode see cv::BorderTypes; with BORDER_REFLECT, BORDER_REFLECT_101 and BORDER_REPLICATE colours go on smoothly
+    beside the mesh
+    @param dst of src's type and the size that warpRoi() gives
+    @return canvas position of its top-left pixel
+    @throws cv::Exception StsOutOfRange if a side would exceed 32766 px, before anything is allocated */
+    Point warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
+               OutputArray dst) CV_OVERRIDE;
+
+    /** @brief Undoes warp().
+    @param src picture of the canvas, of the size that warpRoi() gives for dst_size
+    @param K, R the image's camera
+    @param interp_mode, border_mode see cv::remap
+    @param dst_size of the image
+    @param dst the image, of src's type
+    @throws cv::Exception StsUnmatchedSizes if src is of another size */
+    void warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, Size dst_size,
+                      OutputArray dst) CV_OVERRIDE;
+
+    /** @brief Canvas pixels that an image covers.
+    @param src_size of the image
+    @param K, R its camera
+    @throws cv::Exception StsOutOfRange if a side would exceed 32766 px */
+    Rect warpRoi(Size src_size, InputArray K, InputArray R) CV_OVERRIDE;
+
+    /// Scale of the base warper: pixels of the canvas per radian, or per pixel for the affine one.
+    float getScale() const CV_OVERRIDE;
+
+    /// Also sets the scale of the base warper. @param scale > 0
+    void setScale(float scale) CV_OVERRIDE;
+
+private:
+    friend struct PartFactory;
+    GcpwRotationWarper(const Ptr<cv::detail::RotationWarper>& base, const std::shared_ptr<const RigModel>& model);
+
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+//! @}
+
+} // namespace gcpw
+} // namespace cv
+
+#endif

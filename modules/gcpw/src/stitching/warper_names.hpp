@@ -1,0 +1,18 @@
+// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+#ifndef OPENCV_GCPW_WARPER_NAMES_HPP
+#define OPENCV_GCPW_WARPER_NAMES_HPP
+
+#include <opencv2/stitching/warpers.hpp>
+
+namespace cv
+{
+namespace gcpw
+{
+
+/// The creator behind a name of cv::PyRotationWarper. @throws cv::Exception StsBadArg that lists the names, for any other
+Ptr<WarperCreator> warperOfName(const String& name);
+
+} // namespace gcpw
+} // namespace cv
+
+#endif
