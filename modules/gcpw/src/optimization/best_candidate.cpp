@@ -12,8 +12,8 @@ namespace gcpw
 namespace
 {
 
-/// Of a vertex, as a share of its image's diagonal. Of 25 pairs with strong parallax the largest is 0.18; alignments that
-/// matches had carried away reach 0.3 and more.
+/// Of a vertex, as a share of its image's diagonal. Of 25 pairs with strong parallax the largest is 0.18; alignments
+/// that wrong matches distorted reach 0.3 and more.
 const double MAX_MOVE = 0.3;
 /// Decorrelation (Score::zncc / 100) below which two alignments are equal: the rounding of 8-bit images alone makes as much.
 const double ROUNDING = 1e-3;
@@ -21,8 +21,8 @@ const double ROUNDING = 1e-3;
 /// How much better than the rough alignment a refinement has to be. The comparison of patches is good to about 2 %, and of 25
 /// random scenes with known truth that gained less than that the error had grown in 23.
 const double WORTH_IT = 0.98;
-/// The end gives way to the matches only if it is worse by this much: a preference, not the promise that the rough
-/// alignment has, and the comparison of patches is good to a few per cent.
+/// The end gives way to the matches only if it is worse by this much: a preference, not the
+/// strict rule that protects the rough alignment, and the comparison of patches is good to a few per cent.
 const double CLEARLY_WORSE = 1.05;
 
 bool inProportion(const Problem& problem, const std::vector<ImageState>& states)
@@ -46,7 +46,7 @@ double overall(const std::vector<Decorrelation>& pairs)
     return sum.rms();
 }
 
-/// A candidate that is judged.
+/// A candidate and how well the images correlate by it.
 struct Judged
 {
     std::vector<Decorrelation> pairs;

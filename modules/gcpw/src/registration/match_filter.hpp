@@ -27,7 +27,7 @@ enum class GateStatus
     Unsolved ///< the fit has no solution
 };
 
-/** @brief Tells good point matches from wrong ones by what one mesh can follow.
+/** @brief Rejects outliers among point matches: those that one mesh cannot follow.
 
 A mesh is fitted to all matches with a Geman-McClure loss whose scale falls as `schedule` says; matches that the final mesh does
 not follow are dropped.

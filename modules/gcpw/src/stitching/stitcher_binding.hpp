@@ -15,7 +15,7 @@ namespace cv
 namespace gcpw
 {
 
-/// What the shared_state's hooks need; owned by the stitcher through its warper, so it must not own the stitcher.
+/// Implements the hooks of SharedState. The stitcher owns it through its warper, so it must not own the stitcher.
 class Binding : public StitcherBinding
 {
 public:
@@ -36,7 +36,7 @@ public:
     /// Called before each warper is made: the cameras are final then, and no image has been warped yet.
     void beforeCreate();
 
-    /// Called where a stitcher is at work with a part of ours: without our warper there will be no beforeCreate().
+    /// Called by the other parts of ours in a running stitcher: without our warper there will be no beforeCreate().
     void atWork();
 
 private:
