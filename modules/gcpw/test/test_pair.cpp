@@ -178,8 +178,8 @@ TEST(Gcpw_Pair, a_method_reports_energy_only_of_the_terms_it_has)
         EXPECT_TRUE(has("similarity"));
         EXPECT_EQ(has("lines"), method >= Method::DFW);
         EXPECT_EQ(has("photometric"), method >= Method::MFW);
-        EXPECT_EQ(has("color smoothness"), method >= Method::GCPW);
-        EXPECT_EQ(has("color prior"), method >= Method::GCPW);
+        EXPECT_EQ(has("color_smoothness"), method >= Method::GCPW);
+        EXPECT_EQ(has("color_prior"), method >= Method::GCPW);
     }
 }
 

@@ -65,7 +65,7 @@ void addShape(const Problem& problem, int image, const Params& params, Energy& e
         return;
     std::vector<int> cells(rough.lattice().cellCount());
     std::iota(cells.begin(), cells.end(), 0);
-    energy.add(std::make_unique<AnchorTerm>(image, rough, cells, params.restWeight, "shape prior"));
+    energy.add(std::make_unique<AnchorTerm>(image, rough, cells, params.restWeight, "shape_prior"));
 }
 
 } // namespace

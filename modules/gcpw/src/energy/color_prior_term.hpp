@@ -31,7 +31,7 @@ public:
     /// @param priors one for each quad of the image
     ColorPriorTerm(int image, const ColorPriors& priors) : image_(image), priors_(priors) {}
 
-    const char* name() const override { return "color prior"; }
+    const char* name() const override { return "color_prior"; }
     double evaluate(const State& state) const override;
     double linearize(const State& state, NormalEquations& equations) override;
 

@@ -19,7 +19,7 @@ class ColorSmoothnessTerm : public EnergyTerm
 public:
     ColorSmoothnessTerm(int image, const Lattice& lattice, double weight);
 
-    const char* name() const override { return "color smoothness"; }
+    const char* name() const override { return "color_smoothness"; }
     double evaluate(const State& state) const override;
     double linearize(const State& state, NormalEquations& equations) override;
 

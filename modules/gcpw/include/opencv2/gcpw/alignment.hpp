@@ -31,7 +31,7 @@ enum class Status
 /// Energy of the terms of one name, weighted as in eq. totalfunction.
 struct CV_EXPORTS TermEnergy
 {
-    std::string name; //!< "photometric", "points", "lines", "similarity", "color smoothness", ..
+    std::string name; //!< "photometric", "points", "lines", "similarity", "color_smoothness", ..
     double value;
 
     explicit TermEnergy(const std::string& term = std::string(), double energy = 0) : name(term), value(energy) {}
