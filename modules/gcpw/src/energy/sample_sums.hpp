@@ -92,7 +92,8 @@ public:
     @param support 0 leaves out E_v
     @param block of these samples; receives E_v
     @param fixed receives the weights chosen */
-    void reweightColors(const ColorGrid::Quad& now, double weight, double support, PhotometricBlock& block, FrozenWeights& fixed) const;
+    void reweightColors(const ColorGrid::Quad& now, double weight, double support, PhotometricBlock& block,
+                        FrozenWeights& fixed) const;
 
 private:
     double curvature_[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
@@ -124,8 +125,8 @@ public:
     @param correlation_weight factor on the colour parts, see SampleSums::reweightColors()
     @param own, other of these samples; both change
     @return n (sd(I) sd(I') - cov(I, I')), per channel, times weight and correlation_weight */
-    std::array<double, 3> reweightColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight, double correlation_weight,
-                                      PhotometricBlock& own, CrossBlock& other) const;
+    std::array<double, 3> reweightColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight,
+                                         double correlation_weight, PhotometricBlock& own, CrossBlock& other) const;
 
 private:
     double cross_[4][4][3] = {};   ///< sum w_k w'_m (xx, xy, yy)

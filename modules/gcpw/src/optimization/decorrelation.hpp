@@ -17,8 +17,8 @@ Sums over windows of 5 x 5 pixels of the source, at the working resolution whate
 which both have texture. Of a large image only patches spread evenly are read. */
 struct Decorrelation
 {
-    double sum = 0;     ///< of (1 - zero-mean NCC)^2 of the windows, each times its area on the canvas
-    double weight = 0;  ///< of those areas
+    double sum = 0;    ///< of (1 - zero-mean NCC)^2 of the windows, each times its area on the canvas
+    double weight = 0; ///< of those areas
 
     void add(const Decorrelation& other)
     {

@@ -13,7 +13,7 @@ namespace gcpw
 /// How little the two images of an overlap correlate in a quad of the source.
 struct QuadDecorrelation
 {
-    double sum = 0;  ///< of (1 - correlation)^2 over the textured quarters of the quad, times their samples
+    double sum = 0; ///< of (1 - correlation)^2 over the textured quarters of the quad, times their samples
     int samples = 0;
 };
 

@@ -37,7 +37,7 @@ match is verified
 @param rough whose quads keep their shape  @param fixed mesh of the fixed image
 @param shift_fixed canvas px by which it is seen beside its own place */
 [[nodiscard]] GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough,
-                                     const MeshGrid& fixed, Point2d shift_fixed, const MatchFilterSchedule& schedule);
+                                       const MeshGrid& fixed, Point2d shift_fixed, const MatchFilterSchedule& schedule);
 
 } // namespace gcpw
 } // namespace cv

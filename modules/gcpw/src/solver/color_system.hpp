@@ -33,7 +33,7 @@ public:
     void addSamples(QuadId quad, const SampleColor& block, const ColorGrid::Quad& now);
     /// What they say about the colour of the quad they are compared with.
     void addCross(QuadId a, const ColorGrid::Quad& now_a, QuadId b, const ColorGrid::Quad& now_b,
-                    const CrossColor& block);
+                  const CrossColor& block);
     void clearSamples();
 
     /// Takes the quad's colour unknowns out of `block`'s mesh part.
@@ -59,9 +59,9 @@ private:
     struct Node
     {
         std::array<ColorBlock, CHANNELS> samples;
-        std::array<std::array<double, 2>, CHANNELS> right{}; ///< right-hand side of the samples
-        double prior = 0;                                      ///< sum of the weights of its priors
-        std::array<std::array<double, 2>, CHANNELS> wanted{};  ///< sum of weight times reference
+        std::array<std::array<double, 2>, CHANNELS> right{};  ///< right-hand side of the samples
+        double prior = 0;                                     ///< sum of the weights of its priors
+        std::array<std::array<double, 2>, CHANNELS> wanted{}; ///< sum of weight times reference
         ColorBlock edge_sum;
         bool fixed = false;
         std::vector<int> edges;

@@ -18,11 +18,11 @@ struct SharedState
 {
     Ptr<WarperCreator> base;
     Rig rig;
-    std::shared_ptr<const RigModel> model; ///< of the rig; empty if it is not usable
-    std::vector<float> scales;             ///< of the warpers made, latest first, each once
+    std::shared_ptr<const RigModel> model;            ///< of the rig; empty if it is not usable
+    std::vector<float> scales;                        ///< of the warpers made, latest first, each once
     std::weak_ptr<cv::detail::RotationWarper> warper; ///< made last: cv::Stitcher keeps it until its panorama is done
-    std::function<void()> before_create;   ///< called before each warper is made: the binding estimates here; may be empty
-    std::function<void()> before_feed;     ///< called before feed(): the binding checks the stitcher's parts here; may be empty
+    std::function<void()> before_create; ///< called before each warper is made: the binding estimates here; may be empty
+    std::function<void()> before_feed;   ///< called before feed(): the binding checks the stitcher's parts here; may be empty
 
     void setRig(const Rig& new_rig)
     {

@@ -58,7 +58,7 @@ private:
     Progress progress_;
     std::shared_ptr<SharedState> shared_state_;
     std::shared_ptr<CapturedImages> shown_; ///< to the features finder
-    std::vector<Mat> given_;          ///< by setImages()
+    std::vector<Mat> given_;                ///< by setImages()
     Parts parts_;
     std::vector<std::string> noted_; ///< replaced parts that were logged
     bool lasting_ = true;            ///< the rig, or the reason why it has no answer; see RigEstimate
