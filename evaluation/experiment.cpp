@@ -96,7 +96,7 @@ public:
         catch (...)
         {
             const std::lock_guard<std::mutex> lock(mutex_);
-            next_ = batches_.size(); // nobody begins another
+            next_ = batches_.size(); // no worker begins another
             if (!error_)
                 error_ = std::current_exception();
         }

@@ -127,7 +127,7 @@ double difference(const Warped& warped, Compensator& compensator)
     return std::sqrt(sum / count);
 }
 
-/// One row: every compensator fed on the small images, judged on the large ones.
+/// One row: every compensator fed with the small images, measured on the large ones.
 void printRow(const std::string& name, const Warped& small, const Warped& large, const cv::Ptr<cv::gcpw::GcpwCompensator>& ours)
 {
     std::printf("| %s |", name.c_str());

@@ -22,7 +22,7 @@ const Scene& pairScene();
 
 /** @brief The first Gauss-Newton step on the finest level of that scene, with the default constants.
 
-The source lies where the true homography has it, and the target at rest if it is fixed, else bent by half a pixel. */
+The source lies where the true homography has it, and the target is undeformed if it is fixed, else bent by half a pixel. */
 class PairProblem
 {
 public:
@@ -36,7 +36,7 @@ public:
     gcpw::OverlapSamples samples(int step) const;
     gcpw::PhotometricTerm::Options options() const;
 
-    /// Adds the samples of every second pixel, summed up beforehand, and what holds the meshes.
+    /// Adds the samples of every second pixel, summed up beforehand, and the terms that keep the meshes' shape.
     void accumulate(gcpw::NormalEquations& equations) const { equations_.addTo(equations); }
 
 private:

@@ -1,6 +1,6 @@
 // Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
 //
-// A stitching loop of one's own over cv::detail; only what is marked GCPW is not in every such program. All steps work
+// A stitching loop written over cv::detail; only what is marked GCPW is not in every such program. All steps work
 // on the images as given, best under a megapixel; OpenCV's stitching_detailed has a resolution for each step.
 #include <iostream>
 #include <opencv2/gcpw.hpp>

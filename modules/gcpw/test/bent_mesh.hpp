@@ -12,7 +12,7 @@
 namespace opencv_test
 {
 
-/// The lattice at rest with every vertex moved by up to `jitter_px` on each axis.
+/// The undeformed lattice with every vertex moved by up to `jitter_px` on each axis.
 inline cv::gcpw::MeshGrid bentMesh(const cv::gcpw::Lattice& lattice, double jitter_px, uint64_t seed,
                                    Point2d origin = Point2d())
 {

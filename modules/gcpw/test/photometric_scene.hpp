@@ -52,7 +52,7 @@ inline double otherWaves(Point2d p, int c)
     return 0.4 + 0.12 * std::sin(p.x / 8 - 2 * c) + 0.1 * std::cos(p.y / 7 + c);
 }
 
-/// Source bent over the middle of the target, which lies at rest.
+/// Source bent over the middle of the target, which is undeformed.
 inline TermState bentState()
 {
     return TermState({bentMesh(SOURCE, 1.5, 1, Point2d(30, 20)), cv::gcpw::MeshGrid(TARGET)});

@@ -24,11 +24,11 @@ inline std::string refusalOf(const std::function<void()>& call)
     return std::string();
 }
 
-/// Expects a cv::Exception whose message holds `part`.
+/// Expects a cv::Exception whose message contains `part`.
 inline void expectRefused(const std::function<void()>& call, const std::string& part)
 {
     const std::string refusal = refusalOf(call);
-    EXPECT_NE(refusal.find(part), std::string::npos) << "'" << refusal << "' does not speak of '" << part << "'";
+    EXPECT_NE(refusal.find(part), std::string::npos) << "'" << refusal << "' does not mention '" << part << "'";
 }
 
 inline void expectTaken(const std::function<void()>& call)

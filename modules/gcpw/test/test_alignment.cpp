@@ -20,7 +20,7 @@ Mat gridOf(int rows, int cols)
     return Mat(Mat::ones(rows, 6 * cols, CV_32F)).reshape(6);
 }
 
-/// An image at rest, of 4 x 3 quads.
+/// An undeformed image, of 4 x 3 quads.
 Alignment::Image restingImage()
 {
     Alignment::Image image;

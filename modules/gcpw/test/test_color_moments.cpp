@@ -49,7 +49,7 @@ TEST(Gcpw_ColorMoments, weights_count_as_samples_do)
     EXPECT_NEAR(sum.targetVariance(2), once.targetVariance(2), 1e-12);
 }
 
-TEST(Gcpw_ColorMoments, trust_follows_the_correlation)
+TEST(Gcpw_ColorMoments, the_weight_follows_the_correlation)
 {
     EXPECT_NEAR(correlationWeight(momentsOf(500, 0.7, 0.1, 0)), 1, 1e-6);
     EXPECT_NEAR(correlationWeight(momentsOf(500, -0.7, 0.9, 0)), 0.01, 1e-9);

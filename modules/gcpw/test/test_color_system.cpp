@@ -235,7 +235,7 @@ TEST(Gcpw_ColorSystem, set_to_zero_it_forgets_everything)
     tell(system, 9);
     system.setZero();
     std::vector<ColorGrid> grids = randomGrids(10);
-    EXPECT_EQ(system.solve(grids), SolveStatus::NotPositiveDefinite) << "nothing holds them";
+    EXPECT_EQ(system.solve(grids), SolveStatus::NotPositiveDefinite) << "nothing determines them";
     const Told told = tell(system, 9);
     ASSERT_EQ(system.solve(grids), SolveStatus::Solved);
     ColorSystem fresh({FIRST, SECOND}, {false, false});

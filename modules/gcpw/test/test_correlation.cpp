@@ -16,7 +16,7 @@ using namespace cv::gcpw;
 const Size SIZE(160, 120);
 const Lattice LATTICE(SIZE, 8, 6); // cells of 20 x 20 px
 
-/// The same picture twice, the source's colours changed where asked; at the truth all meshes are at rest.
+/// The same picture twice, the source's colours changed where asked; at the truth all meshes are undeformed.
 OverlapSamples samplesOf(double gain, double bias)
 {
     Mat target(SIZE, CV_8UC3);
@@ -62,7 +62,7 @@ TEST(Gcpw_Correlation, a_spoiled_region_is_worse_and_no_other)
 {
     const OverlapSamples samples = samplesOf(1, 0);
     const std::vector<int> worse = worseQuads(samples, spoiled(4, 3), atRest(), 1.05);
-    // The four quads around the vertex, judged with their neighbours.
+    // The four quads around the vertex, measured with their neighbours.
     EXPECT_GE(worse.size(), 4u);
     for (const int cell : worse)
     {

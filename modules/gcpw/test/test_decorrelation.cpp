@@ -13,7 +13,7 @@ using namespace cv::gcpw;
 
 const int QUADS = 32; // a side: on the small images below a quad is smaller than a window
 
-/// The same picture twice, the source's colours changed where asked; at the truth all meshes are at rest.
+/// The same picture twice, the source's colours changed where asked; at the truth all meshes are undeformed.
 Problem problemOf(Size size, double gain = 1, double bias = 0, bool textured = true)
 {
     Mat target(size, CV_8UC3);

@@ -22,7 +22,7 @@ std::vector<PointMatch> truePoints(int count, uint64_t seed)
     return matches;
 }
 
-/// Partners on one line that end elsewhere, as detectors leave them.
+/// Targets on the same line that end elsewhere, as detectors leave them.
 std::vector<LineMatch> trueLines(int count, uint64_t seed)
 {
     RNG rng = seeded(seed);

@@ -152,7 +152,7 @@ TEST(Gcpw_JointSystem, colors_alone_are_best_while_the_mesh_stands_still)
     EXPECT_EQ(x.head(2 * LATTICE.vertexCount()).norm(), 0);
 }
 
-TEST(Gcpw_JointSystem, held_colors_leave_the_mesh_step_of_the_mesh_alone)
+TEST(Gcpw_JointSystem, fixed_colors_leave_the_mesh_step_of_the_mesh_alone)
 {
     const Quadratic problem(4);
     JointSystem joint({LATTICE}, {false}, {true});

@@ -184,7 +184,7 @@ TEST(Gcpw_Keypoints, one_thread_and_many_find_the_same)
     }
 }
 
-TEST(Gcpw_Keypoints, positions_are_rest_pixels)
+TEST(Gcpw_Keypoints, positions_are_reference_pixels)
 {
     const Scene scene{SceneOptions()};
     Mat gray;

@@ -14,7 +14,7 @@ const Lattice PARTNER(Size(100, 80), 5, 4);
 const double STEP = 5;
 const int MOVING_COLUMNS = 2 * MOVING.vertexCount();
 
-/// An affine moving mesh over a target at rest: straight lines stay straight.
+/// An affine moving mesh over an undeformed target: straight lines stay straight.
 TermState affineState()
 {
     return TermState({affineMesh(MeshGrid(MOVING), Matx22d(1.1, 0.1, -0.05, 0.95), Point2d(6, 9)), MeshGrid(PARTNER)});

@@ -17,7 +17,7 @@ struct Filtered
     GateStatus status = GateStatus::Unsolved;
 };
 
-/// Gates matches of the default scene, from its rough homography.
+/// Filters matches of the default scene, from its rough homography.
 Filtered gate(const Scene& scene, std::vector<PointMatch> matches)
 {
     const SceneOptions options;

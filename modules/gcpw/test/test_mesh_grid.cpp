@@ -9,7 +9,7 @@ using namespace cv::gcpw;
 
 const Lattice LATTICE(Size(160, 120), 8, 6); // cells of 20 x 20 px
 
-TEST(Gcpw_MeshGrid, at_rest_it_only_shifts)
+TEST(Gcpw_MeshGrid, undeformed_it_only_shifts)
 {
     const MeshGrid mesh(LATTICE, Point2d(7, -3));
     RNG rng = seeded(1);

@@ -14,7 +14,7 @@ const double DAMPING = 0.3;
 const Lattice FIRST(Size(80, 60), 4, 3);
 const Lattice SECOND(Size(50, 70), 2, 5);
 
-/// Accumulates the same rows and blocks into several sinks.
+/// Adds the same rows and blocks to several receivers.
 class Both : public NormalEquations
 {
 public:
@@ -252,7 +252,7 @@ TEST(Gcpw_MeshSystem, a_motion_that_nothing_holds_or_that_is_not_a_number_is_ref
     RNG rng = seeded(9);
     const QuadRow row = randomRow(rng);
     system.addRow({0, 3}, row, 1, 1);
-    EXPECT_EQ(system.solve(step), SolveStatus::NotPositiveDefinite) << "one row holds one motion";
+    EXPECT_EQ(system.solve(step), SolveStatus::NotPositiveDefinite) << "one row constrains one motion";
     system.addDamping(1);
     EXPECT_EQ(system.solve(step), SolveStatus::Solved);
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -133,7 +133,7 @@ TEST(Gcpw_Pair, the_colors_found_undo_what_was_done_to_the_source)
             Vec3d bias;
             scene.colorAt(centre, gain, bias);
             const float* found = color.ptr<float>(row) + 6 * col;
-            // Gain and bias may trade against each other: judged at the texture's mean intensity. All channels alike.
+            // Gain and bias may compensate each other: compared at the texture's mean intensity. All channels alike.
             sum += std::abs(found[0] * (gain[0] * 0.425 + bias[0]) + found[3] - 0.425);
             ++quads;
         }
@@ -246,7 +246,7 @@ TEST(Gcpw_Pair, the_same_photograph_twice_stays_where_it_is)
     const Scene scene{SceneOptions()};
     const Alignment alignment = alignPair(scene.target(), scene.target());
     ASSERT_TRUE(alignment.ok());
-    const Mat reference = alignment.image(1).mesh; // the target is fixed at rest
+    const Mat reference = alignment.image(1).mesh; // the target is fixed and undeformed
     EXPECT_LT(cv::norm(alignment.image(0).mesh, reference, NORM_INF), 0.05);
     EXPECT_NEAR(alignment.report().gain_min, 1, 0.02);
     EXPECT_NEAR(alignment.report().gain_max, 1, 0.02);

@@ -28,7 +28,7 @@ std::vector<LineMatch> linesOf(const std::vector<Segment>& moving, const std::ve
     return matchPair(a, b, MeshGrid(lattice, SHIFT), MeshGrid(lattice), Point2d(), params, matchesUsedBy(Method::GCPW)).lines;
 }
 
-TEST(Gcpw_PairMatcher, a_line_across_the_fixed_images_border_finds_its_partner)
+TEST(Gcpw_PairMatcher, a_line_across_the_fixed_images_border_is_matched)
 {
     // Its right part is beyond the border, where the fixed image shows nothing of it.
     const Segment across = segment(100, 50, 260, 60);

@@ -58,7 +58,7 @@ TEST(Gcpw_PhotometricTerm, it_is_zero_at_the_truth_whatever_meshes_and_colors_ar
     }
 }
 
-TEST(Gcpw_PhotometricTerm, what_it_pours_is_exact_where_residuals_are_linear)
+TEST(Gcpw_PhotometricTerm, what_it_adds_is_exact_where_residuals_are_linear)
 {
     // On ramps one linearisation says the energy of every mesh and of every colour, one at a time.
     for (const TermState& state : {bentState(), movedState()})
@@ -94,7 +94,7 @@ TEST(Gcpw_PhotometricTerm, the_gradient_follows_the_energy_of_a_smooth_picture)
                               SOURCE_MESH, 0.5, 0.03);
 }
 
-TEST(Gcpw_PhotometricTerm, on_a_coarse_level_units_stay_those_of_the_rest_image)
+TEST(Gcpw_PhotometricTerm, on_a_coarse_level_units_stay_those_of_the_reference_image)
 {
     const TermState state = bentState();
     const LinearizeTerm accumulate = accumulatePixels(levelOf(SOURCE, 2.5, waves), levelOf(TARGET, 2.5, ramp));

@@ -27,7 +27,7 @@ TEST(Gcpw_Pyramid, the_finest_level_is_the_image_in_ycrcb)
         }
 }
 
-TEST(Gcpw_Pyramid, pixel_p_of_level_l_shows_rest_pixel_p_times_two_to_the_l)
+TEST(Gcpw_Pyramid, pixel_p_of_level_l_shows_reference_pixel_p_times_two_to_the_l)
 {
     // Blurring keeps a linear ramp where it is, so that each level tells where its pixels lie.
     Mat ramp(128, 160, CV_8UC3);

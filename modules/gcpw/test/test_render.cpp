@@ -61,7 +61,7 @@ TEST(Gcpw_Render, the_source_is_masked_exactly_where_its_true_pixels_end)
             const Point at(cvRound(p.x) + canvas.target_origin.x, cvRound(p.y) + canvas.target_origin.y);
             ASSERT_EQ(canvas.source_mask.at<uchar>(at), 255) << Point(x, y);
         }
-    // A hand's breadth left of the true border there is nothing.
+    // A little left of the true border nothing is drawn.
     for (int y = 40; y < 200; y += 10)
     {
         const Point2d p = scene.canvasAt(Point2d(-4, y));

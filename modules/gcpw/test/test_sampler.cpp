@@ -41,7 +41,7 @@ TEST(Gcpw_Sampler, a_ramp_is_read_exactly_with_its_slope)
     }
 }
 
-TEST(Gcpw_Sampler, positions_and_slopes_are_those_of_the_rest_image_on_every_level)
+TEST(Gcpw_Sampler, positions_and_slopes_are_those_of_the_reference_image_on_every_level)
 {
     const PyramidLevel level = levelOf(Size(40, 30), 4, [](double x, double y, int) { return 0.02 * x + 0.01 * y; });
     PixelSample sample;

@@ -21,7 +21,7 @@ Mat texture(Size size, uint64_t seed, double lowest = 0, double highest = 255)
     return image;
 }
 
-/// The definition, window by window, as shared/tools/score.py has it.
+/// The definition, window by window.
 Score bruteForce(const Mat& a, const Mat& b, const Mat& mask)
 {
     Mat gray[2];

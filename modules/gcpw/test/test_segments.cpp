@@ -75,7 +75,7 @@ TEST(Gcpw_Segments, an_inverted_picture_turns_every_segment_round)
     EXPECT_EQ(matchSegments(found, found, stay, SegmentTolerance()).size(), found.size());
 }
 
-TEST(Gcpw_Segments, they_are_in_rest_pixels_and_longest_first)
+TEST(Gcpw_Segments, they_are_in_reference_pixels_and_longest_first)
 {
     const std::vector<Segment> same = detectSegments(brightRectangle(), EVERYWHERE, SAME, 20);
     const std::vector<Segment> scaled = detectSegments(brightRectangle(), EVERYWHERE, Size2d(0.5, 0.5), 10);
@@ -180,7 +180,7 @@ TEST(Gcpw_Segments, a_mask_that_hides_nothing_changes_nothing)
         EXPECT_TRUE(samePlace(without[i], with[i]));
 }
 
-TEST(Gcpw_Segments, partners_are_looked_for_where_they_are_expected)
+TEST(Gcpw_Segments, targets_are_looked_for_where_they_are_expected)
 {
     const std::vector<Segment> a = {segment(10, 10, 90, 12), segment(20, 100, 60, 40)};
     std::vector<Segment> b;
@@ -198,7 +198,7 @@ TEST(Gcpw_Segments, partners_are_looked_for_where_they_are_expected)
     }
 }
 
-TEST(Gcpw_Segments, what_is_too_far_or_turned_or_beside_is_no_partner)
+TEST(Gcpw_Segments, what_is_too_far_or_turned_or_beside_is_no_match)
 {
     const std::vector<Segment> a = {segment(0, 0, 100, 0)};
     const auto targets = [&](const Segment& b) { return matchSegments(a, {b}, stay, SegmentTolerance()).size(); };
@@ -228,7 +228,7 @@ TEST(Gcpw_Segments, of_one_that_crosses_the_border_the_part_that_is_shown_is_mat
     EXPECT_TRUE(matchSegments(a, {segment(0, 0, 100, 0)}, shownFrom(101), SegmentTolerance()).empty()) << "nothing";
 }
 
-TEST(Gcpw_Segments, each_is_used_once_by_its_best_partner)
+TEST(Gcpw_Segments, each_is_used_once_by_its_best_match)
 {
     const std::vector<Segment> a = {segment(0, 2, 100, 2), segment(0, 0.5, 100, 0.5)};
     const std::vector<Segment> b = {segment(0, 0, 100, 0)};

@@ -195,7 +195,7 @@ const Base BASES[] = {{"spherical", makePtr<cv::SphericalWarper>(), threeCameras
 
 INSTANTIATE_TEST_SUITE_P(bases, Gcpw_Warper, testing::ValuesIn(BASES));
 
-TEST(Gcpw_Warper, a_mesh_at_rest_is_exactly_the_base_warper)
+TEST(Gcpw_Warper, an_undeformed_mesh_is_exactly_the_base_warper)
 {
     const Ptr<WarperCreator> base = makePtr<cv::SphericalWarper>();
     const gcpw::Rig rig = bentRig(base, threeCameras(), 0);

@@ -31,7 +31,7 @@ void checkImages(const std::vector<Mat>& images, const std::vector<Mat>& masks, 
             continue;
         CV_CheckTypeEQ(masks[i].type(), CV_8UC1, "gcpw: a mask is 8-bit with one channel");
         if (masks[i].dims > 2 || masks[i].size() != images[i].size())
-            CV_Error(Error::StsUnmatchedSizes, format("gcpw: mask %zu has not the size of its image", i));
+            CV_Error(Error::StsUnmatchedSizes, format("gcpw: mask %zu is not of its image's size", i));
     }
 }
 

@@ -64,7 +64,7 @@ Alignment readAlignment(const FileNode& node)
     std::vector<Alignment::Image> images;
     for (const FileNode& image : node["images"])
         images.push_back(readImage(image));
-    return {images, Size2d(scale[0], scale[1]), report}; // which checks them all
+    return {images, Size2d(scale[0], scale[1]), report}; // the constructor checks them
 }
 
 void Alignment::save(const std::string& path) const

@@ -9,7 +9,8 @@ namespace cv
 namespace gcpw
 {
 
-/// Into the open map of a file, and back. Reading throws cv::Exception if a part is missing or has a wrong type or size.
+/// Writes into the open map of a file, and reads from it. Reading throws cv::Exception if a part is missing or has a wrong type
+/// or size.
 void writeAlignment(FileStorage& file, const Alignment& alignment);
 Alignment readAlignment(const FileNode& node);
 

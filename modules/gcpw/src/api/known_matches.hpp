@@ -14,7 +14,7 @@ namespace cv
 namespace gcpw
 {
 
-// What callers know of their images, px as given, in working pixels and back.
+// Converts what callers know of their images between pixels as given and working pixels.
 
 /// The keypoints that lie inside the image's mask.
 Keypoints toWork(const KnownKeypoints& known, const WorkImage& image);

@@ -42,7 +42,7 @@ bool isCompressed(const fs::path& path)
     return path.extension() == ".gz";
 }
 
-/// Where the file is written at first: beside it, of the same endings, taken by nobody.
+/// Where the file is written first: in the same folder, with the same extensions, under an unused name.
 fs::path unusedNeighbour(const fs::path& path)
 {
     fs::path stem = path.stem();
@@ -91,7 +91,7 @@ std::string writeText(const fs::path& path, const std::string& text)
     return stream ? "" : NO_ROOM;
 }
 
-/// Only FileStorage can compress: what it wrote is looked at once more.
+/// Only FileStorage can compress; what it wrote is checked afterwards.
 std::string writeCompressed(const std::string& path, const std::string& kind, const Write& write)
 {
     FileStorage file;

@@ -74,7 +74,7 @@ const Field& find(const std::string& name)
 
 } // namespace
 
-// The one place of the defaults; each is said again in words beside its member (test/defaults_are_as_documented.py).
+// The one place of the defaults; the comment beside each member repeats its own (test/defaults_are_as_documented.py).
 Params::Params()
 {
     method = Method::GCPW;

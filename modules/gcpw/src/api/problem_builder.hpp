@@ -17,7 +17,7 @@ namespace gcpw
 /** @brief From images to the estimation's Problem and its result: the one way of alignPair() and Aligner.
 
 Call startFrom() or startFromHomography() once, the others as needed, and align() last. Where a step fails or is cancelled the report
-says so, and the steps after it do nothing. Arguments are taken as checked. */
+says so, and the steps after it do nothing. Arguments must have been checked. */
 class ProblemBuilder
 {
 public:
@@ -40,7 +40,7 @@ public:
     @param known correspondences; if there are any, even for other pairs, they are verified and nothing is looked for */
     void findMatches(MatchKinds kinds, const std::vector<Correspondences>& known = std::vector<Correspondences>());
 
-    /// Matches of the first pair, known to hold.
+    /// Matches of the first pair, taken as verified.
     void setMatches(const MatchSet& matches);
 
     /// Stage "align". No images in the result if there was no start; else they lie at the start if any step failed.

@@ -19,7 +19,7 @@ namespace gcpw
 namespace
 {
 
-const double MAX_AREA = 4e8; ///< px: a larger canvas comes from a wrong alignment, and would eat the memory
+const double MAX_AREA = 4e8; ///< px: a larger canvas comes from a wrong alignment, and would exhaust the memory
 
 /// Both images together, or an exception that names the size.
 Rect canvasRect(const MeshGrid& mesh, const FrameScale& scale, Size target)

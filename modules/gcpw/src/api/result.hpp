@@ -15,15 +15,15 @@ namespace gcpw
 /// Every image where the rough alignment has it, colours untouched.
 std::vector<ImageState> roughStates(const Problem& problem);
 
-/// Runs the terms_used of params.method and fills in everything of the report but the timings and the matches' counts.
-/// `states` holds the start and receives the result; if there is none it is put back to the rough alignment.
+/// Runs params.method and fills in everything of the report but the timings. `states` is the start and receives the result, or
+/// the rough alignment where there is none.
 void refine(const Problem& problem, const Params& params, const StepCallback& progress, std::vector<ImageState>& states,
             Report& report);
 
 /// An image of an Alignment from its rough and its final state.
 Alignment::Image toImage(const MeshGrid& rough, const ImageState& state, Size full_size);
 
-/// The way back.
+/// The mesh of such an image: the inverse of toImage().
 MeshGrid meshOf(const Alignment::Image& image);
 
 /// Wall time since a getTickCount().

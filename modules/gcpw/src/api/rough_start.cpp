@@ -12,7 +12,7 @@ namespace gcpw
 namespace
 {
 
-const int COMPARISONS = 3;   ///< of a pixel with other images: more repeat what these say
+const int COMPARISONS = 3;   ///< of a pixel with other images: more of them add little
 const int NO_REFERENCE = -2; ///< Params::referenceImage: all images move
 
 std::vector<Overlap> overlapsOf(const std::vector<WorkImage>& images, const std::vector<Point2d>& corners,

@@ -111,7 +111,7 @@ std::vector<ColorGrid> balancedColors(const std::vector<OverlapSamples>& overlap
         // NotConverged is an answer: conjugate gradients lower the energy, and the next pass goes on from there.
         if (system.solve(colors) == SolveStatus::NotPositiveDefinite)
         {
-            CV_LOG_INFO(nullptr, "gcpw: the colours of many images have no answer in pass " << pass << "; the last ones are kept");
+            CV_LOG_INFO(nullptr, "gcpw: the colour balance is singular in pass " << pass << "; the last colours are kept");
             break;
         }
         for_each_free([](size_t, ColorGrid::Quad& quad)

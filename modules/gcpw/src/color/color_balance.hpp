@@ -13,8 +13,8 @@ namespace gcpw
 
 /** @brief Colours of many images that make overlapping quads agree in mean and contrast while the meshes stand still.
 
-Least squares of pixels takes contrast from whatever differs; in a pair the target holds against it, but many images that
-show different people all fade together. Contrasts do not: over all quads s and t that lie on each other, with n samples,
+Least squares of pixels takes contrast from whatever differs; in a pair the fixed target prevents that, but many images that
+show different people all fade together. Means and contrasts do not: over all quads s and t that overlap, with n samples,
 means m and standard deviations d,
 
     E = lambda_1 sum n correlation_weight ( (G_s m_s + B_s - G_t m_t - B_t)^2 + d_s d_t log(G_s d_s / (G_t d_t))^2 )

@@ -13,7 +13,7 @@ namespace
 {
 
 const double GAUGE = 1e-3;          ///< share of an overlap: chooses among exposures that fit equally well
-const double NOISE_VARIANCE = 1e-4; ///< of an intensity: less contrast than this says nothing of gain
+const double NOISE_VARIANCE = 1e-4; ///< of an intensity: the ratio of less contrast than this is noise
 
 /// Normal equations of differences x_a - x_b = d between images; x is exactly 0 where an image is fixed.
 class Differences
@@ -37,7 +37,7 @@ public:
         total_ += weight;
     }
 
-    /// False if there is no answer; `x` is then all 0.
+    /// False if the equations are singular; `x` is then all 0.
     [[nodiscard]] bool solve(std::vector<double>& x) const
     {
         x.assign(fixed_.size(), 0);
@@ -95,7 +95,7 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
         std::vector<double> found;
         if (!log_gains.solve(found))
         {
-            CV_LOG_INFO(nullptr, "gcpw: the images' gains have no answer in channel " << c << "; they are taken as 1");
+            CV_LOG_INFO(nullptr, "gcpw: the images' gains are not determined in channel " << c << "; they are taken as 1");
             continue;
         }
         for (size_t i = 0; i < exposures.size(); ++i)
@@ -110,7 +110,7 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
                 biases.add(a, b, exposures[b][c].gain * m.targetMean(c) - exposures[a][c].gain * m.sourceMean(c), m.samples());
         }
         if (!biases.solve(found))
-            CV_LOG_INFO(nullptr, "gcpw: the images' biases have no answer in channel " << c << "; they are taken as 0");
+            CV_LOG_INFO(nullptr, "gcpw: the images' biases are not determined in channel " << c << "; they are taken as 0");
         for (size_t i = 0; i < exposures.size(); ++i)
             exposures[i][c].bias = found[i];
     }

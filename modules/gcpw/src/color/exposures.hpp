@@ -13,8 +13,8 @@ namespace gcpw
 /** @brief One gain and bias per channel for each image as a whole, so that overlaps agree in mean and contrast.
 
 Moments of whole overlaps hardly depend on how well they line up, so these are known before any pixel is aligned; quads
-count as far as they show the same thing (correlationWeight()). Of all that fit equally well the one of mean log gain 0 and mean
-bias 0 is chosen; images that are fixed keep (1, 0) exactly, and so does a channel without an answer. */
+are weighted by how well they correlate (correlationWeight()). Of all that fit equally well the one of mean log gain 0 and mean
+bias 0 is chosen; images that are fixed keep (1, 0) exactly, and so does a channel whose equations are singular. */
 std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
                                                const std::vector<bool>& fixed);
 

@@ -10,16 +10,16 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief Holds chosen quads of an image where another mesh has them.
+/** @brief Keeps chosen quads of an image near where another mesh has them.
 
     E_a = weight * sum_{anchored quads} sum_{k = 0..3} | V_k - A_k |^2
 
-A_k are the corners of the quad in the other mesh. Not in the paper: it serves the regions where pixels made the
-alignment worse. Residuals: 8 per quad, canvas px. */
+A_k are the corners of the quad in the other mesh. Not in the paper: for the regions where pixels made the alignment
+worse, and as the shape prior of many images (Params::restWeight). Residuals: 8 per quad, canvas px. */
 class AnchorTerm : public EnergyTerm
 {
 public:
-    /// @param name of the energy in reports: what the quads are held for
+    /// @param name of the energy in reports
     AnchorTerm(int image, const MeshGrid& anchor, const std::vector<int>& cells, double weight, const char* name = "anchors");
 
     const char* name() const override { return name_; }

@@ -18,7 +18,7 @@ namespace gcpw
 namespace
 {
 
-const double DEVIATION = 0.1; ///< of the weighted residual of a sample that fits: robustScale counts in it
+const double DEVIATION = 0.1; ///< of the weighted residual of a sample that fits: the unit of robustScale
 
 RobustLoss lossOf(double scale)
 {
@@ -30,7 +30,7 @@ bool isAtLeast(Method method, Method least)
     return static_cast<int>(method) >= static_cast<int>(least);
 }
 
-/// What ties two images: their matches and, on a level with pixels, their overlap.
+/// The terms of two images: their matches and, on a level with pixels, their overlap.
 void addPair(const Problem& problem, size_t k, const Params& params, const EnergyStage& stage, Energy& energy)
 {
     const ProblemPair& pair = problem.pairs[k];
@@ -48,7 +48,7 @@ void addPair(const Problem& problem, size_t k, const Params& params, const Energ
     options.weight = params.photometricWeight;
     options.gain_support = hasColors(params.method) ? params.gainSupport : 0;
     options.target_moves = !problem.images[pair.b].fixed;
-    // Misaligned regions look like outliers: on coarse levels, which are to move them, the loss is wider.
+    // Misaligned regions look like outliers: on coarse levels, which have to move them, the loss is wider.
     options.loss = lossOf(DEVIATION * params.robustScale * stage.scale);
     const std::vector<int> anchored = stage.anchors.empty() ? std::vector<int>() : stage.anchors[k].cells;
     energy.add(std::make_unique<PhotometricTerm>(stage.overlaps[k], options, anchored));
@@ -56,7 +56,7 @@ void addPair(const Problem& problem, size_t k, const Params& params, const Energ
         energy.add(std::make_unique<AnchorTerm>(pair.a, stage.anchors[k].mesh, anchored, params.anchorWeight));
 }
 
-/// What keeps the shape of an image.
+/// The terms that keep the shape of an image.
 void addShape(const Problem& problem, int image, const Params& params, Energy& energy)
 {
     const MeshGrid& rough = problem.images[image].rough;

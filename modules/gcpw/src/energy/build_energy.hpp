@@ -14,14 +14,14 @@ namespace cv
 namespace gcpw
 {
 
-/// Quads of the source of an overlap that are held where another mesh has them.
+/// Quads of the source of an overlap that are kept near where another mesh has them.
 struct AnchoredQuads
 {
     MeshGrid mesh;
     std::vector<int> cells; ///< may be empty
 };
 
-/// What the terms of one stage of the optimisation are made of; must outlive them.
+/// What the terms of one stage of the optimisation are built from; must outlive them.
 struct EnergyStage
 {
     double match_scale = 0;                ///< Geman-McClure scale of the matches, canvas px; 0 is the plain sum of squares

@@ -10,7 +10,7 @@ namespace cv
 namespace gcpw
 {
 
-/// Where the colour of a quad rests that nothing else informs.
+/// A colour that a quad is kept near, and how firmly.
 struct ColorPrior
 {
     double weight = 0; ///< 0: no prior
@@ -20,7 +20,7 @@ struct ColorPrior
 /// Of the quads of one image.
 typedef std::vector<ColorPrior> ColorPriors;
 
-/** @brief Holds the colours of an image at references of their own (E_r of eq. initialfunction, and the exposures).
+/** @brief Keeps the colours of an image near references of their own (E_r of eq. initialfunction, and the exposures).
 
     E_r = sum_i weight_i sum_c ( (G_i,c - G0_i,c)^2 + (B_i,c - B0_i,c)^2 )
 

@@ -15,7 +15,7 @@ ColorSmoothnessTerm::ColorSmoothnessTerm(int image, const Lattice& lattice, doub
         form_.gain_bias += x;
         form_.bias_bias += 1;
     }
-    // The paper's double sum meets every pair of quads twice; here each is visited once.
+    // The paper's double sum has every pair of quads twice; here each is visited once.
     form_.gain_gain *= 2 * weight;
     form_.gain_bias *= 2 * weight;
     form_.bias_bias *= 2 * weight;

@@ -63,7 +63,7 @@ std::vector<TermEnergy> Energy::linearize(const State& state, NormalEquations& e
 {
     const std::vector<Part> parts = partsOfAll();
     std::vector<double> values(parts.size());
-    std::vector<size_t> shared; // parts of terms that threads share
+    std::vector<size_t> shared; // parts of terms that threads work on side by side
     for (size_t i = 0; i < parts.size(); ++i)
     {
         EnergyTerm& term = *terms_[parts[i].term];

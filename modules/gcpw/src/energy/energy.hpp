@@ -13,7 +13,8 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief The sum of terms that is minimised. Threads share its parts; every sum has one order, whatever their number. */
+/** @brief The sum of terms that is minimised. Threads work on parts of terms side by side; every sum has one order,
+whatever their number. */
 class Energy
 {
 public:

@@ -22,7 +22,7 @@ bool isPlace(Point2d p)
     return std::abs(p.x) < FARTHEST && std::abs(p.y) < FARTHEST;
 }
 
-/// Whether a match says anything: without a direction there is no line.
+/// Whether a match can be used: without a direction there is no line.
 bool isUsable(const LineMatch& match)
 {
     const bool places = isPlace(match.a.start) && isPlace(match.a.end) && isPlace(match.b.start) && isPlace(match.b.end);
@@ -49,7 +49,7 @@ LineTerm::LineTerm(int image_a, int image_b, const Lattice& lattice_a, const Lat
         for (int k = 0; k <= count; ++k)
         {
             const Point2d sample = match.a.at(static_cast<double>(k) / count);
-            if (lattice_a.contains(sample)) // beyond its image a mesh knows nothing
+            if (lattice_a.contains(sample)) // a mesh is not defined outside its image
                 target.samples.push_back(lattice_a.locate(sample));
         }
         target.reference_b = match.b;
@@ -66,7 +66,7 @@ bool LineTerm::lineNow(const Target& target, const State& state, Segment& segmen
         return false;
     const MeshGrid& b = state[image_b_].mesh;
     segment = {b.warp(target.start_b) + shift_b_, b.warp(target.end_b) + shift_b_};
-    return segment.direction().dot(segment.direction()) != 0; // what is not a number goes on, for the solver to refuse
+    return segment.direction().dot(segment.direction()) != 0; // NaN is passed on, for the solver to refuse
 }
 
 double LineTerm::evaluate(const State& state) const
@@ -104,7 +104,7 @@ double LineTerm::linearize(const State& state, NormalEquations& equations)
             const Point2d canvas = a.warp(sample);
             const double r = line.distance(canvas);
             energy += target.weight * loss_.value(r * r);
-            // The point of b beside the sample, kept on the segment: beyond its ends b is not known.
+            // The point of b next to the sample, clamped to the segment: beyond its ends b is not known.
             const double t = (canvas - now.start).dot(now.direction()) / squared_length;
             const CellPoint foot = lattice_b.locate(target.reference_b.at(t > 0 ? std::min(t, 1.0) : 0.0));
             QuadRow row_a{};

@@ -16,8 +16,8 @@ PointTerm::PointTerm(int image_a, int image_b, const Lattice& lattice_a, const L
     pairs_.reserve(matches.size());
     for (const PointMatch& match : matches)
     {
-        // A mesh knows nothing beyond its image: such a match keeps its place in the order, with no cell.
-        // So does one whose weight is no weight.
+        // A mesh is not defined outside its image: such a match keeps its place in the order, with no cell.
+        // So does one whose weight is negative or not finite.
         const bool inside = lattice_a.contains(match.a) && lattice_b.contains(match.b) && match.weight >= 0 &&
                             std::isfinite(match.weight);
         pairs_.push_back({inside ? lattice_a.locate(match.a) : CellPoint(), inside ? lattice_b.locate(match.b) : CellPoint(),

@@ -16,7 +16,7 @@ namespace gcpw
 
     E_f = weight * sum_k w_k rho( | W_a(p_k) - W_b(p'_k) |^2 )
 
-p_k, p'_k are reference points of images a and b; with b fixed at rest W_b(p'_k) is the paper's fixed p'. Linear in both
+p_k, p'_k are reference points of images a and b; with b fixed and undeformed W_b(p'_k) is the paper's fixed p'. Linear in both
 meshes: but for the loss one linearisation is exact. Residuals: 2 per match, canvas px. */
 class PointTerm : public EnergyTerm
 {

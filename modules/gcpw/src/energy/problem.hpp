@@ -17,7 +17,7 @@ struct ProblemImage
 {
     MeshGrid rough;                    ///< the rough alignment: where the lattice lies on the canvas before refinement
     std::vector<PyramidLevel> pyramid; ///< may be empty if no method with pixels is used
-    bool fixed = false;                 ///< neither mesh nor colour changes
+    bool fixed = false;                ///< neither mesh nor colour changes
 };
 
 /// Two images that overlap, and what was matched between them.
@@ -35,7 +35,7 @@ struct Problem
     std::vector<ProblemImage> images;
     std::vector<ProblemPair> pairs;
 
-    /// Three images or more: errors may add up from image to image, so something must hold shape and contrast.
+    /// Three images or more: errors may add up from image to image, so shape and contrast need priors.
     bool hasManyImages() const { return images.size() > 2; }
 };
 

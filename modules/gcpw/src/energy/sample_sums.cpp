@@ -16,7 +16,7 @@ namespace
 
 const double MIN_VARIANCE = 1e-6; ///< of an intensity: below is rounding of 8-bit images
 
-/// Folds sums over pairs of corners out into the upper triangle of an 8 x 8 block.
+/// Expands sums over pairs of corners into the upper triangle of an 8 x 8 block.
 void unfold(const double (&curvature)[10][3], double weight, QuadBlock& block)
 {
     int pair = 0;
@@ -206,7 +206,7 @@ GCPW_WIDE_VECTORS void CrossSums::add(const float* corner_weight, const double* 
 
 CrossBlock CrossSums::block(double weight) const
 {
-    // d residual / d other_quad position = +g, d residual / d other_quad (gain, bias) = -(I', 1)
+    // d residual / d target position = +g, d residual / d target (gain, bias) = -(I', 1)
     CrossBlock block;
     unfold(curvature_, weight, block.mesh_mesh);
     for (int k = 0; k < 4; ++k)
@@ -245,7 +245,7 @@ std::array<double, 3> CrossSums::reweightColors(const ColorGrid::Quad& now, cons
         const double missing = weight * (s[1] * s[2] / s[3] + std::sqrt(variance * other_variance) - s[0]);
         other.color_cross[c][0] -= missing;
         other.color_gradient[c][0] -= missing * now[c].gain;
-        // The own side of these samples has been trusted already.
+        // The source's part of these samples has its correlation weight already.
         own.color_gradient[c][0] -= correlation_weight * missing * now_other[c].gain;
         lacking[c] = correlation_weight * missing;
         own.energy -= 2 * lacking[c] * now[c].gain * now_other[c].gain;

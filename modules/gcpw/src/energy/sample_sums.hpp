@@ -66,10 +66,10 @@ struct FrozenWeights
     }
 };
 
-/** @brief Running sums over the samples of one quad, folded out into a PhotometricBlock at the end.
+/** @brief Running sums over the samples of one quad, expanded into a PhotometricBlock at the end.
 
-A sample acts on its quad only through its position, so sums of w_k w_m times a 2 x 2 matrix say all that an 8 x 8 block
-holds: a third of the multiplications. */
+A sample acts on its quad only through its position, so sums of w_k w_m times a 2 x 2 matrix determine the
+8 x 8 block: a third of the multiplications. */
 class SampleSums
 {
 public:
@@ -79,19 +79,21 @@ public:
     /// The block of all samples, times `weight`.
     PhotometricBlock block(double weight) const;
 
-    /** @brief Lets a quad speak of colour only as far as its two images show the same thing.
+    /** @brief Weights the colour part of a quad's block by how well its two images correlate there.
 
-    Least squares makes the gain rho * sd(T) / sd(I): where the images do not line up or show different things it falls
-    towards zero, the texture fades, and with it the force that would align it. So the gain is fixed up,
+    Least squares makes the gain rho * sd(T) / sd(I): where the images are misaligned or show different things it
+    falls towards zero, the texture fades, and with it the gradient that would align it. So the gain gets a prior,
 
         E_v = weight * support * sum_c (1 - rho_c^2) n var(I_c) (G_c - sd(T_c) / sd(I_c))^2
 
-    and all the quad says of its colour, E_v too, counts by max(rho_Y, 0)^2, so that its neighbours decide.
+    and the colour part of the block, E_v included, is scaled by max(rho_Y, 0)^2: where the images do not correlate, the
+    neighbouring quads determine the colour.
     @param now colours at which the samples were taken
     @param support 0 leaves out E_v
     @param block of these samples; receives E_v
-    @param fixed receives the choice */
-    void reweightColors(const ColorGrid::Quad& now, double weight, double support, PhotometricBlock& block, FrozenWeights& fixed) const;
+    @param fixed receives the weights chosen */
+    void reweightColors(const ColorGrid::Quad& now, double weight, double support, PhotometricBlock& block,
+                        FrozenWeights& fixed) const;
 
 private:
     double curvature_[10][3] = {}; ///< per pair of corners k <= m: sum w_k w_m (xx, xy, yy) of g g^T
@@ -104,11 +106,11 @@ private:
     };
     ChannelCorrelation channelCorrelation(int channel, double gain) const;
 
-    double color_[3][6] = {};      ///< per channel: sum I I, I, 1, I r, r, r r
+    double color_[3][6] = {}; ///< per channel: sum I I, I, 1, I r, r, r r
     int samples_ = 0;
 };
 
-/// The other_quad's sums: over those samples of one quad that fall into one quad of a moving target.
+/// The same for a moving target: sums over those samples of one quad that fall into one quad of the target.
 class CrossSums
 {
 public:
@@ -117,14 +119,14 @@ public:
 
     /** @brief The same where the target's colour is unknown too.
 
-    There least squares has a way out of every misalignment: to take contrast from both images. So these samples compare
+    There least squares can lower the energy of any misalignment by removing contrast from both images. So these samples compare
     means and contrasts, n ((G m + B - G' m' - B')^2 + (G sd(I) - G' sd(I'))^2), which is least squares of samples that
     correlate fully: the covariance is replaced by sd(I) sd(I').
-    @param correlation_weight factor on what is said of colour, SampleSums::reweightColors()
+    @param correlation_weight factor on the colour parts, see SampleSums::reweightColors()
     @param own, other of these samples; both change
-    @return what the covariance lacks, per channel, times weight and correlation_weight */
-    std::array<double, 3> reweightColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight, double correlation_weight,
-                                      PhotometricBlock& own, CrossBlock& other) const;
+    @return n (sd(I) sd(I') - cov(I, I')), per channel, times weight and correlation_weight */
+    std::array<double, 3> reweightColors(const ColorGrid::Quad& now, const ColorGrid::Quad& now_other, double weight,
+                                         double correlation_weight, PhotometricBlock& own, CrossBlock& other) const;
 
 private:
     double cross_[4][4][3] = {};   ///< sum w_k w'_m (xx, xy, yy)

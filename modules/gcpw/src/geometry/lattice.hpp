@@ -45,10 +45,10 @@ public:
         return (cell / cols_ + (corner >> 1)) * (cols_ + 1) + cell % cols_ + (corner & 1);
     }
 
-    /// Rest position of a vertex, reference pixels.
+    /// Position of a vertex, reference pixels.
     Point2d referenceVertex(int vertex) const;
 
-    /// Rest position of a cell point, reference pixels.
+    /// Position of a cell point, reference pixels.
     Point2d referencePoint(const CellPoint& point) const;
 
     bool contains(Point2d reference_px) const;
@@ -72,7 +72,7 @@ inline std::array<double, 4> bilinearWeights(double u, double v)
     return {{(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
 }
 
-// Asked for every sample of every overlap: worth having where it is called.
+// Called for every sample of every overlap, so inline.
 inline bool Lattice::contains(Point2d reference_px) const
 {
     return reference_px.x >= -0.5 && reference_px.y >= -0.5 && reference_px.x <= image_size_.width - 0.5 &&

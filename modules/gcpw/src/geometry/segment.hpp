@@ -19,7 +19,7 @@ struct Line
     double distance(Point2d p) const { return normal.dot(p) + offset; }
 };
 
-/// A straight piece of an image edge, in pixels. Directed: the brighter side is on a fixed hand (see LineDetector).
+/// A straight piece of an image edge, in pixels. Directed: detectSegments() has the brighter side on the left.
 struct Segment
 {
     Point2d start;

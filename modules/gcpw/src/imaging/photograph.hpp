@@ -13,7 +13,7 @@ namespace gcpw
 /// An input image in the one form the module works on.
 struct Photograph
 {
-    Mat image; ///< CV_8UC3 BGR, full resolution; mid-gray where it is not valid
+    Mat image; ///< CV_8UC3 BGR; the nearest valid pixel where it is not valid (see hideOutside())
     Mat mask;  ///< CV_8UC1, 255 where valid; empty means everywhere
 };
 
@@ -28,8 +28,8 @@ Photograph toPhotograph(InputArray input, const char* name);
 
 /** @brief Narrows a photograph to the pixels where `valid` (CV_8UC1 of its size) is non-zero.
 
-What lies outside is replaced by the nearest valid pixel: filters look over the border of a mask, and there must be
-neither what was hidden nor an edge. The image is copied first if anything is hidden. */
+What lies outside is replaced by the nearest valid pixel: filters read across the border of a mask, and must find neither
+the hidden content nor an edge there. The image is copied first if anything is hidden. */
 void hideOutside(Photograph& photograph, const Mat& valid);
 
 /// Size of an image scaled down to at most `megapix` million pixels; never scaled up, at least 1 x 1.

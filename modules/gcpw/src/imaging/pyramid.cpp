@@ -11,7 +11,7 @@ namespace gcpw
 namespace
 {
 
-const int MIN_LEVEL_SIDE = 16; ///< px; below, three samples a side are left and the level says nothing
+const int MIN_LEVEL_SIDE = 16; ///< px; below, three samples a side are left, too few to align
 
 /// YCrCb in [0, 1] plus the mask, as one CV_32FC4 image.
 Mat packed(const Mat& image, const Mat& mask)

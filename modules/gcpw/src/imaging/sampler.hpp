@@ -26,7 +26,7 @@ struct PixelSample
 cv::remap would quantise the position to 1/32 px; here it keeps its full precision. */
 bool samplePixel(const PyramidLevel& level, Point2d reference_px, PixelSample& sample);
 
-/// The values alone, of the very positions at which samplePixel() has an answer.
+/// The values alone; true at exactly the positions at which samplePixel() is.
 bool sampleValue(const PyramidLevel& level, Point2d reference_px, PixelSample& sample);
 
 /// The bilinear luma (first channel) alone. False where any of the four nearest pixels leaves the image or its mask.

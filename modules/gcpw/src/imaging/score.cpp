@@ -16,7 +16,7 @@ namespace
 
 const int WINDOW = 5;             ///< px, the paper's W
 const int BORDER = 7;             ///< px, side of the square that erodes the overlap
-const double MIN_VARIANCE = 16.0; ///< gray levels squared; flatter windows say nothing about alignment
+const double MIN_VARIANCE = 16.0; ///< gray levels squared; the correlation of flatter windows is noise
 
 Mat windowMean(const Mat& image)
 {

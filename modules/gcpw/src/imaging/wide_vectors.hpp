@@ -5,8 +5,9 @@
 /** @file
 GCPW_WIDE_VECTORS before a function compiles it twice, for any processor and for those with AVX2; the loader chooses.
 
-The additions keep their order and nothing is fused (AVX2 alone has no multiply-add), so both give the same bits. Worth it
-for the few functions that see every sample: accumulating is a fifth faster. Sanitizers start after the loader has chosen. */
+The additions keep their order and nothing is fused (AVX2 alone has no multiply-add), so both give the same bits. For the
+few functions that run over every sample: they are a fifth faster. Not under sanitizers: these start after the loader has
+chosen. */
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

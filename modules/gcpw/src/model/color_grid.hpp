@@ -21,7 +21,7 @@ struct ChannelAffine
     double bias = 0;
 };
 
-/** @brief One affine colour map a channel on every quad of a lattice (the paper's G and B), in YCrCb.
+/** @brief One affine colour map per channel on every quad of a lattice (the paper's G and B), in YCrCb.
 
 Estimated constant in a quad; shown bilinearly between quad centres (rendering/color_field.hpp). */
 class ColorGrid

@@ -11,7 +11,7 @@ namespace cv
 namespace gcpw
 {
 
-/// Where an image lies at the moment: its mesh and its colour.
+/// The unknowns of one image: its mesh and its colours.
 struct ImageState
 {
     MeshGrid mesh;

@@ -94,7 +94,7 @@ bool MeshGrid::invert(Point2d canvas_px, int& hint, CellPoint& point) const
             break;
         hint = next;
     }
-    // A bent mesh may lead the walk to the border beside the point, or round in circles: look around its end.
+    // A bent mesh may lead the walk to the border beside the point, or round in circles: search the quads around its end.
     const int ring = step < max_steps ? 2 : std::max(cols, rows);
     const int centre = hint;
     for (int row = std::max(centre / cols - ring, 0); row <= std::min(centre / cols + ring, rows - 1); ++row)

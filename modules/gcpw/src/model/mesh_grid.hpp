@@ -19,7 +19,7 @@ class MeshGrid
 public:
     MeshGrid() = default;
 
-    /// The lattice at rest, moved to `origin`: canvas = reference + origin.
+    /// The undeformed lattice, shifted to `origin`: canvas = reference + origin.
     explicit MeshGrid(const Lattice& lattice, Point2d origin = Point2d());
 
     const Lattice& lattice() const { return lattice_; }
@@ -31,7 +31,7 @@ public:
     Point2d warp(const CellPoint& point) const;
     Point2d warp(Point2d reference_px) const { return warp(lattice_.locate(reference_px)); }
 
-    /// d canvas / d rest at a cell point: [dx/dx dx/dy; dy/dx dy/dy].
+    /// d canvas / d reference at a cell point: [dx/dx dx/dy; dy/dx dy/dy].
     Matx22d jacobian(const CellPoint& point) const;
 
     /** @brief The reference point that is carried to a canvas point.
@@ -44,7 +44,7 @@ public:
     /// Twice the signed area of the triangle at a corner of a quad (corner, next along the row, next along the column).
     double cornerArea(int cell, int corner) const;
 
-    /// Whether the mesh is the lattice at rest, only shifted; `origin` receives the shift.
+    /// Whether the mesh is the undeformed lattice, only shifted; `origin` receives the shift.
     bool isTranslation(Point2d& origin) const;
 
     /// How many quads are folded or flipped.
@@ -54,7 +54,7 @@ public:
     Rect2d bounds() const;
 
 private:
-    /// Whether a quad covers a canvas point; `fractions` then or else say where the point lies, in cells from its corner.
+    /// Whether a quad covers a canvas point; `fractions` say in either case where the point lies, in cells from its corner.
     bool findIn(int cell, Point2d canvas_px, CellPoint& point, Point2d& fractions) const;
 
     Lattice lattice_;

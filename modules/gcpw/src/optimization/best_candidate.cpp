@@ -12,8 +12,8 @@ namespace gcpw
 namespace
 {
 
-/// Of a vertex, as a share of its image's diagonal. Of 25 pairs with strong parallax the largest is 0.18; alignments that
-/// matches had carried away reach 0.3 and more.
+/// Of a vertex, as a share of its image's diagonal. Of 25 pairs with strong parallax the largest is 0.18; alignments
+/// that wrong matches distorted reach 0.3 and more.
 const double MAX_MOVE = 0.3;
 /// Decorrelation (Score::zncc / 100) below which two alignments are equal: the rounding of 8-bit images alone makes as much.
 const double ROUNDING = 1e-3;
@@ -22,8 +22,8 @@ const double ROUNDING = 1e-3;
 /// random scenes 8 whose rendered zncc had risen by more than 2 % had gained less than this, most of them nearly perfect before.
 const double WORTH_IT = 0.95;
 const double LEAST_GAIN = 0.003;
-/// The end gives way to the matches only if it is worse by this much: a preference, not the promise that the rough
-/// alignment has, and the comparison of patches is good to a few per cent.
+/// The end gives way to the matches only if it is worse by this much: a preference, not the
+/// strict rule that protects the rough alignment, and the comparison of patches is good to a few per cent.
 const double CLEARLY_WORSE = 1.05;
 
 bool inProportion(const Problem& problem, const std::vector<ImageState>& states)
@@ -47,7 +47,7 @@ double overall(const std::vector<Decorrelation>& pairs)
     return sum.rms();
 }
 
-/// A candidate that is judged.
+/// A candidate and how well the images correlate by it.
 struct Judged
 {
     std::vector<Decorrelation> pairs;

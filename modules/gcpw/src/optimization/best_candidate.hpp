@@ -30,10 +30,10 @@ struct Choice
 /** @brief Chooses the alignment by which the images of a problem correlate best (decorrelations() over all pairs).
 
 The energy cannot tell: matches that are wrong together, or pixels that show something else, lower it while the picture gets
-worse. What is not clearly better than the rough alignment gives way to it, and so does an end that is clearly worse than the
-matches alone. A mesh that moved out of proportion, or by which nothing
-is left to be compared, is never chosen; where the rough alignment shows nothing to compare, the end is.
-@param end, matches the meshes that are judged */
+worse. The rough alignment is kept if nothing is clearly better, and the matches' meshes if the end is clearly worse than they
+are. A mesh that moved out of proportion, or after which nothing is left to compare, is never chosen; where nothing can be
+compared at the rough alignment, the end is.
+@param end, matches, rough the candidates */
 Choice bestCandidate(const Problem& problem, const std::vector<ImageState>& end, const std::vector<ImageState>& matches,
                      const std::vector<ImageState>& rough);
 

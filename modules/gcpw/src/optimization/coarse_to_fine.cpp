@@ -20,8 +20,8 @@ namespace
 const double FIRST_MATCH_SCALE = 32; ///< px: wide enough to follow strong parallax
 const double MATCH_NARROWING = 0.5;  ///< of the matches' scale from step to step
 const int MATCH_ITERATIONS = 3;      ///< at the final scale, where pixels are to follow
-const int ANCHORED_ITERATIONS = 5;   ///< the anchors lead, the rest is in place already
-const int COLOR_PASSES = 3;          ///< of colours for meshes at rest: residuals are weighted anew by what they then are
+const int ANCHORED_ITERATIONS = 5;   ///< only the anchored regions still move
+const int COLOR_PASSES = 3;          ///< of colours while the meshes stand still: each re-weights the residuals
 
 OptimizeStatus statusOf(GaussNewton::End end, OptimizeStatus singular)
 {
@@ -60,11 +60,11 @@ void CoarseToFine::enterLevel(int level)
     stage_.color_priors.clear();
 }
 
-/** @brief Where the colours of a level rest, as its quads now meet.
+/** @brief The colour priors of a level, for the overlaps that its quads have in this state.
 
-Quads with samples are held weakly at their image's exposure: faint texture alone does not know its gain, and along a chain
-contrast may drain away. Quads without samples rest at gain 1, bias 0 in a pair, as in the paper; of more images none has a
-colour that all could be compared with, and they rest at their image's exposure too. */
+Quads with samples have a weak prior at their image's exposure: faint texture alone does not determine a gain, and along a chain
+contrast would be lost from image to image. For quads without samples it is gain 1, bias 0 in a pair, as in the paper; among more
+images none is the reference, so it is their image's exposure too. */
 void CoarseToFine::setColorPriors(const State& state)
 {
     const std::vector<ColorComparison> comparisons = compareColors(stage_.overlaps, state);
@@ -181,16 +181,16 @@ OptimizeStatus CoarseToFine::refine(State& state, std::vector<LevelReport>& repo
     const OptimizeStatus status = hasPixels(params_.method) ? runPyramid(state, report) : OptimizeStatus::Done;
     if (status == OptimizeStatus::Cancelled)
         return status;
-    // Without anchors pixels have the last word over matches; over the rough alignment nothing has.
+    // Without anchors the end is not compared with the matches' meshes; with the rough alignment it always is.
     choice_ = bestCandidate(problem_, state, params_.anchorWeight > 0 ? matched : state, rough);
     if (choice_.best == Candidate::END)
         return status;
-    // The colours went with the meshes that are given up.
+    // The colours belong to the meshes that were rejected.
     state = choice_.best == Candidate::MATCHES ? matched : rough;
     if (hasPixels(params_.method))
         enterLevel(0);
     if (initColors(state, COLOR_PASSES) == SolveStatus::NotPositiveDefinite)
-        CV_LOG_INFO(nullptr, "gcpw: no colours were found for the meshes that are kept; those of the pass before stay");
+        CV_LOG_INFO(nullptr, "gcpw: the colour equations of the meshes that were kept are singular; the last colours were kept");
     return choice_.best == Candidate::MATCHES ? OptimizeStatus::MatchesKept : OptimizeStatus::RoughKept;
 }
 

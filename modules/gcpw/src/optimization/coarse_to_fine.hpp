@@ -14,7 +14,7 @@ namespace cv
 namespace gcpw
 {
 
-/// Called before every iteration with the share of the work done, 0..1; false cancels.
+/// Called before every iteration with the fraction of the work done, 0..1; false cancels.
 typedef std::function<bool(double)> StepCallback;
 
 enum class OptimizeStatus
@@ -32,8 +32,8 @@ enum class OptimizeStatus
 1. Matches alone, their loss narrowing from wide to strict: methods without pixels end here.
 2. The pyramid, coarse to fine: colours first (eq. initialfunction), then Gauss-Newton steps on meshes and colours.
 3. Regions that the pixels made worse than the matches had them are anchored there, and the finest level runs again.
-4. What correlates no better than the matches' meshes or the start gives way to them (bestCandidate()), with colours of its own.
-5. Of more than two images: the colours they are shown with (balancedColors()). */
+4. Of end, matches' meshes and start the best by correlation is kept (bestCandidate()), with colours estimated for it.
+5. For more than two images, the colours to be shown (balancedColors()). */
 class CoarseToFine
 {
 public:
@@ -43,7 +43,7 @@ public:
     /// @param state the start; receives the result  @param report one entry per level run
     OptimizeStatus run(State& state, std::vector<LevelReport>& report, const StepCallback& progress);
 
-    /// How well the pairs line up before and after run(); empty if it chose between nothing.
+    /// How well the pairs line up before and after run(); empty if there was nothing to choose from.
     const Choice& choice() const { return choice_; }
 
 private:

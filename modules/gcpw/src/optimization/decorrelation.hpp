@@ -11,14 +11,14 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief How little two images correlate where they lie on each other: Score::zncc without rendering.
+/** @brief How little two images correlate where they overlap: Score::zncc without rendering.
 
 Sums over windows of 5 x 5 pixels of the source, at the working resolution whatever the mesh, that both images cover and in
 which both have texture. Of a large image only patches spread evenly are read. */
 struct Decorrelation
 {
-    double sum = 0;     ///< of (1 - zero-mean NCC)^2 of the windows, each times its area on the canvas
-    double weight = 0;  ///< of those areas
+    double sum = 0;    ///< of (1 - zero-mean NCC)^2 of the windows, each times its area on the canvas
+    double weight = 0; ///< of those areas
 
     void add(const Decorrelation& other)
     {
@@ -30,7 +30,7 @@ struct Decorrelation
     double rms() const;
 };
 
-/// One for each pair of a problem. Threads share the work; the sums do not depend on how many.
+/// One for each pair of a problem. Runs on several threads; the sums do not depend on how many.
 std::vector<Decorrelation> decorrelations(const Problem& problem, const std::vector<ImageState>& states);
 
 } // namespace gcpw

@@ -11,7 +11,7 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief Keeps a mesh one-to-one: no corner of a quad may shrink below a share of its area in the rough mesh.
+/** @brief Keeps a mesh one-to-one: no corner of a quad may shrink below a fraction of its area in the rough mesh.
 
 A bilinear quad folds exactly where the triangle at one of its corners turns over; with every corner above a positive
 bound no step that passes shorten() can ever lead to a fold. Quads that a step would fold are damped first: a step then costs
@@ -19,13 +19,13 @@ the similarity energy of its *change* as well, which shortens it there and leave
 class FoldConstraint
 {
 public:
-    /** @param min_ratio least area of a corner as a share of its rough area
+    /** @param min_ratio least area of a corner as a fraction of its rough area
     @param image index of the mesh in the equations  @param damping_weight of the similarity of a change, before it is raised */
     FoldConstraint(const MeshGrid& rough, double min_ratio, int image = 0, double damping_weight = 1);
 
-    /** @brief The quads that a share of a step would bring below the bound.
+    /** @brief The quads that a step of length `share` (1: the whole step) would bring below the bound.
 
-    Area is quadratic in the share: a step that is legal as a whole need not be so half way. */
+    Area is quadratic in the length: a step that is legal as a whole need not be so half way. */
     std::vector<int> violated(const MeshGrid& mesh, const std::vector<Point2d>& step, double share = 1) const;
 
     /// Shortens the step of the vertices around violated quads, and of no others, until nothing is violated.
@@ -47,7 +47,7 @@ private:
     int image_;
     double damping_weight_;
     std::vector<double> bound_;  ///< four per quad
-    std::vector<double> factor_; ///< of a quad's similarity in the matrix of a step; 1 without damping
+    std::vector<double> factor_; ///< of a quad's damping; 1: none
 };
 
 } // namespace gcpw

@@ -11,7 +11,7 @@ namespace gcpw
 namespace
 {
 
-const double DAMPING = 1e-4;   ///< weight of a vertex step, px^2: keeps meshes finite that nothing holds
+const double DAMPING = 1e-4;   ///< weight of a vertex step, px^2: keeps meshes finite that no term constrains
 const int MAX_STIFFENINGS = 3; ///< per step; then the step is shortened at the quads it would fold
 const int MAX_HALVINGS = 4;    ///< of a step that raises the energy; then the run ends
 
@@ -162,7 +162,7 @@ GaussNewton::End GaussNewton::run(Energy& energy, State& state, const Rules& rul
         MeshStep step;
         std::vector<ColorGrid> colors = colorsOf(state);
         // NotConverged is an answer here: conjugate gradients from zero lower the energy with every iteration, and the line
-        // search has the last word.
+        // search checks the step.
         if (constrainedStep(state, step) == SolveStatus::NotPositiveDefinite)
             return End::Singular;
         if (rules.colors && system_.solveColorsAfter(step, colors) == SolveStatus::NotPositiveDefinite)

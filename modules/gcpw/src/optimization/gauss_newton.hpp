@@ -18,14 +18,14 @@ namespace gcpw
 /** @brief Gauss-Newton steps with a line search on meshes and colours, for any list of terms.
 
 No step folds a quad: the mesh is checked as it is taken. No accepted step raises the energy: terms keep the weights of their
-linearisation until the step is judged (EnergyTerm::linearize()). */
+linearisation until the line search has ended (EnergyTerm::linearize()). */
 class GaussNewton
 {
 public:
     /// @param colors whether colours are unknowns
     GaussNewton(const Problem& problem, const Params& params, bool colors);
 
-    /// How a run ended where it did not end by itself (LevelReport::stop says by which rule it did).
+    /// How a run ended; of one that is Done, LevelReport::stop says by which rule.
     enum class End
     {
         Done,
@@ -37,7 +37,7 @@ public:
     {
         int max_iterations = 1;
         double stop_motion_px = 0;      ///< canvas px below which no vertex need move
-        double stop_gain = 0;           ///< share of the energy that a step should save
+        double stop_gain = 0;           ///< fraction of the energy by which a step should lower it
         bool colors = false;            ///< whether colours are solved for: their terms are in the energy
         std::function<bool()> progress; ///< called before each iteration; false cancels; may be empty
     };

@@ -29,7 +29,7 @@ struct ColorComparison
 
 ColorComparison compareColors(const OverlapSamples& samples, const State& state);
 
-/// One for each overlap; threads share the work.
+/// One for each overlap; runs on several threads.
 std::vector<ColorComparison> compareColors(const std::vector<OverlapSamples>& overlaps, const State& state);
 
 } // namespace gcpw

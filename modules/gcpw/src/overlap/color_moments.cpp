@@ -12,7 +12,7 @@ namespace
 {
 
 const double MAX_GAIN = 3;
-const double MIN_CORRELATION_WEIGHT = 0.01; ///< keeps a colour that nothing else informs
+const double MIN_CORRELATION_WEIGHT = 0.01; ///< not 0, so that a colour without other data is still determined
 
 } // namespace
 

@@ -10,7 +10,7 @@ namespace cv
 namespace gcpw
 {
 
-const double TEXTURE_VARIANCE = 2.5e-4; ///< of Y (16 gray levels squared): below, correlation says nothing
+const double TEXTURE_VARIANCE = 2.5e-4; ///< of Y (16 gray levels squared): correlation of less is noise
 
 /// Sums over pairs of intensities (a of the source, b of the target).
 struct PairSums
@@ -69,12 +69,12 @@ private:
     PairSums sums_[CHANNELS];
 };
 
-/// The nearest gain that two photographs of one scene can have between them.
+/// Clamps a gain to the range that occurs between two photographs of one scene.
 double plausibleGain(double gain);
 
-/** @brief How far two images can be believed to show the same thing: the squared correlation of their luma.
+/** @brief How much an overlap counts for its colours: the squared correlation of the two images' luma, 0 if negative.
 
-@return in (0, 1]; 1 where one of them is flat, as then its mean is worth as much as any */
+@return in (0, 1]; 1 where one of them is flat: there is no texture to compare, and the mean is as good as any */
 double correlationWeight(double source_variance, double target_variance, double correlation);
 double correlationWeight(const ColorMoments& moments);
 

@@ -49,8 +49,8 @@ public:
     }
 
     /** @brief Calls visit(sample, pixel) for the samples of a quad whose position lies inside the target.
-    @param target from targetIn(state); at the time of the call it stands at the sample
-    @param sampler samplePixel(), or sampleValue() where no gradient is asked for: they answer at the same positions */
+    @param target from targetIn(state); during a call it is at the sample
+    @param sampler samplePixel(), or sampleValue() where no gradient is asked for: they succeed at the same positions */
     template <typename Visit>
     void visit(const State& state, int cell, TargetLookup& target, Visit visit,
                bool (*sampler)(const PyramidLevel&, Point2d, PixelSample&) = sampleValue) const

@@ -12,7 +12,7 @@ namespace cv
 namespace gcpw
 {
 
-/// Finds the target's pixel under a canvas point, with a short cut for a target at rest: then no quad is searched.
+/// Finds the target's pixel under a canvas point, with a short cut for an undeformed target, in which no quad has to be searched.
 class TargetLookup
 {
 public:
@@ -45,7 +45,7 @@ public:
                 point_ = state_.mesh.lattice().locate(reference_);
             return true;
         }
-        // A walk that ends beside the mesh is slow, and pixels beyond the box are many.
+        // A search that ends outside the mesh is slow, and many pixels lie outside its box.
         if (!bounds_.contains(canvas) || !state_.mesh.invert(canvas - shift_, hint_, point_))
             return false;
         reference_ = state_.mesh.lattice().referencePoint(point_);
@@ -57,7 +57,7 @@ public:
 
     /** @brief d / d canvas of the corrected target at the point found, from its gradient in the reference frame.
 
-    A quad without area has no inverse; there the gradient is zero, so the sample moves nothing. */
+    A quad without area has no inverse; there the gradient is zero, so that the sample moves no vertex. */
     void gradient(const PixelSample& pixel, double* gx, double* gy) const
     {
         for (int c = 0; c < CHANNELS; ++c)

@@ -13,7 +13,7 @@ namespace gcpw
 namespace
 {
 
-const int MIN_AREA = 400;      ///< px: a smaller overlap holds no quad and says nothing
+const int MIN_AREA = 400;      ///< px: a smaller overlap is less than a quad
 const double MIN_SHARE = 0.01; ///< of the smaller image
 
 /// What two images share, in the pixels of each of them.
@@ -46,7 +46,7 @@ int sharedArea(const Shared& shared, const Mat& a, const Mat& b)
     return area < MIN_AREA ? 0 : countNonZero(a(shared.in_a) & b(shared.in_b));
 }
 
-/// The turns that bring x nearest to 0, which may be off by more than an int can say.
+/// The number of periods that brings x nearest to 0; may exceed an int.
 int64 nearestTurns(int64 x, int period)
 {
     return period > 0 ? static_cast<int64>(std::nearbyint(static_cast<double>(x) / period)) : 0;
@@ -61,7 +61,7 @@ std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::
     for (size_t i = 0; i < masks.size(); ++i)
         for (size_t j = i + 1; j < masks.size(); ++j)
         {
-            // Corners may lie anywhere: the turns that bring b nearest to a, and one to either side of that.
+            // Corners may lie anywhere: the periods that bring b nearest to a, and one more to either side.
             const int64 nearest = nearestTurns(static_cast<int64>(corners[i].x) - corners[j].x, period);
             for (int64 turns = nearest - (period > 0 ? 1 : 0); turns <= nearest + (period > 0 ? 1 : 0); ++turns)
             {

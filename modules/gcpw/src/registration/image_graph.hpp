@@ -16,7 +16,7 @@ struct Overlap
     int a = -1; ///< a < b
     int b = -1;
     int period_offset_b = 0; ///< times the canvas' period that b is seen to the right of its own place
-    int area = 0;    ///< px inside both masks
+    int area = 0;            ///< px inside both masks
 };
 
 /** @brief Every pair of images that overlap enough to be aligned to each other, in ascending order.
@@ -27,7 +27,7 @@ std::vector<Overlap> findOverlaps(const std::vector<Point>& corners, const std::
 
 /** @brief The overlaps that are worth comparing, in the same order.
 
-Where many images show the same, some comparisons only repeat what others say. Overlaps are taken by falling area; one is
+Where many images show the same, some comparisons add nothing to the others. Overlaps are taken by falling area; one is
 left out if in both its images at least half of it is shared with `enough` others that were taken.
 @param enough 1 or more; images are never compared with fewer where they overlap with so many */
 std::vector<Overlap> withoutRepetition(const std::vector<Overlap>& overlaps, const std::vector<Point>& corners,

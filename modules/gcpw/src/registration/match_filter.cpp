@@ -13,7 +13,7 @@ namespace gcpw
 namespace
 {
 
-const double DAMPING = 1e-4; ///< weight of a vertex step, px^2: keeps vertices finite that neither match nor similarity holds
+const double DAMPING = 1e-4; ///< weight of a vertex step, px^2: keeps vertices finite that nothing else constrains
 
 } // namespace
 
@@ -33,7 +33,7 @@ GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, con
         points.linearize(state, system);
         similarity.linearize(state, system);
         MeshStep step;
-        // One image moves, so that nothing is iterated: what is not solved has no solution.
+        // One image moves, so the solver is direct: anything but Solved means that there is no solution.
         if (system.solve(step) != SolveStatus::Solved)
         {
             matches.clear();
@@ -50,7 +50,7 @@ GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, con
             kept.push_back(matches[i]);
     matches.swap(kept);
     if (mesh.countFolds() > 0)
-        return GateStatus::Folded; // as a prediction it would send neighbours to places in the wrong order
+        return GateStatus::Folded; // as a prediction it would swap neighbouring points
     moving = mesh;
     return GateStatus::Fitted;
 }

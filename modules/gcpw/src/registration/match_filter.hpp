@@ -27,7 +27,7 @@ enum class GateStatus
     Unsolved ///< the fit has no solution
 };
 
-/** @brief Tells good point matches from wrong ones by what one mesh can follow.
+/** @brief Rejects outliers among point matches: those that one mesh cannot follow.
 
 A mesh is fitted to all matches with a Geman-McClure loss whose scale falls as `schedule` says; matches that the final mesh does
 not follow are dropped.
@@ -37,7 +37,7 @@ match is verified
 @param rough whose quads keep their shape  @param fixed mesh of the fixed image
 @param shift_fixed canvas px by which it is seen beside its own place */
 [[nodiscard]] GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough,
-                                     const MeshGrid& fixed, Point2d shift_fixed, const MatchFilterSchedule& schedule);
+                                       const MeshGrid& fixed, Point2d shift_fixed, const MatchFilterSchedule& schedule);
 
 } // namespace gcpw
 } // namespace cv

@@ -38,7 +38,7 @@ Features knownFeatures(const Mat& image, const Mat& mask, Size2d to_reference, c
 
 /** @brief All matches between a moving image and a fixed one, verified by a mesh.
 
-Keypoints are matched near where the rough mesh expects them and gated by a robust mesh fit, then matched once more near
+Keypoints are matched near where the rough mesh expects them and filtered by a robust mesh fit, then matched once more near
 where that mesh expects them (Params::guidedMatching; not if it folds). Line segments are paired and verified by the points'
 mesh, or by the rough one where that folds. There are no matches if no mesh fits them.
 @param rough rough mesh of a  @param fixed rough mesh of b  @param shift_b see ProblemPair */

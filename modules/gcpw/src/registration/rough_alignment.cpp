@@ -21,9 +21,9 @@ namespace
 const int STRONGEST = 3000;          ///< keypoints an image that are matched without a guess of where to look
 const double BLIND_RATIO = 0.8;      ///< ratio test of the blind matching (Lowe's value)
 const double RANSAC_THRESHOLD = 4.0; ///< px
-const double MAX_ZOOM = 8;           ///< local scale change beyond which a homography is taken for wrong
+const double MAX_ZOOM = 8;           ///< local scale change beyond which a homography is taken to be wrong
 const int REFITS = 3;                ///< each re-selects the inliers; more changed nothing
-const double LINE_WEIGHT = 0.5;      ///< of a line end against a point: an end says one thing, a point two
+const double LINE_WEIGHT = 0.5;      ///< of a line end against a point: an end gives one equation, a point two
 
 } // namespace
 

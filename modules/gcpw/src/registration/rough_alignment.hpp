@@ -10,7 +10,7 @@ namespace cv
 namespace gcpw
 {
 
-const int MIN_MATCHES = 8; ///< inliers below which a homography of two photographs is chance
+const int MIN_MATCHES = 8; ///< inliers below which a homography of two photographs may be chance
 
 /// The homography that roughly aligns image a to image b, and how it was found.
 struct RoughAlignment

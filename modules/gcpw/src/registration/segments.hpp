@@ -22,10 +22,10 @@ std::vector<Segment> detectSegments(const Mat& gray, const Mat& mask, Size2d to_
 /// How closely a segment must follow where it is expected to be taken for the target.
 struct SegmentTolerance
 {
-    double distance = 4;   ///< px, RMS over the common part
-    double angle = 0.1;    ///< radians
-    double overlap = 0.5;  ///< least common part, as a share of the shorter one
-    double crossing = 20;  ///< px: least length that b shows of a segment that crosses its border
+    double distance = 4;  ///< px, RMS over the common part
+    double angle = 0.1;   ///< radians
+    double overlap = 0.5; ///< least common part, as a share of the shorter one
+    double crossing = 20; ///< px: least length that b shows of a segment that crosses its border
 };
 
 /** @brief Pairs segments by where those of a are expected in b, best first, each used once.

@@ -37,7 +37,7 @@ std::array<Mat, 2> cutSeam(const TwoImages& images, const TwoMasks& masks)
     }
     cv::detail::GraphCutSeamFinder finder(cv::detail::GraphCutSeamFinderBase::COST_COLOR_GRAD);
     finder.find(small, {Point(), Point()}, cut);
-    // As cv::Stitcher does: a little wider than the seam, so that no pixel is left to neither.
+    // As cv::Stitcher does: a little wider than the seam, so that every pixel belongs to one of them.
     std::array<Mat, 2> kept;
     for (int i = 0; i < 2; ++i)
     {

@@ -131,7 +131,7 @@ private:
     const GridPosition& position_;
 };
 
-/// Maps the pixels of row y that the mask holds, run by run.
+/// Maps the pixels of row y inside the mask, run by run.
 template <typename Pixel>
 void mapRow(Row<Pixel> row, const uchar* mask, int cols)
 {

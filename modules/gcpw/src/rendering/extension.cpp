@@ -11,9 +11,9 @@ namespace gcpw
 namespace
 {
 
-const int COARSE = 4; ///< px a side that get one colour outside: coarse bands do not see less, and it takes a quarter of the time
+const int COARSE = 4; ///< px a side that get one colour outside: no difference in coarse bands, in a quarter of the time
 
-/// Push: colours times coverage, and coverage, at half the size; prior: where nothing is covered, the coarser colours.
+/// Push: colours times coverage, and coverage, at half the size. Pull: where nothing is covered, the coarser colours.
 Mat filled(const Mat& covered_colors, const Mat& coverage)
 {
     const Size size = coverage.size();

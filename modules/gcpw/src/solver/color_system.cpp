@@ -162,7 +162,7 @@ void ColorSystem::eliminate(QuadId quad, const std::vector<ColorGrid>& now, Phot
         own.gain_gain += node.prior;
         own.bias_bias += node.prior;
         if (!(determinant(own) > 0))
-            continue; // nothing holds this colour: leave it where it is
+            continue; // neither data nor prior: the colour stays as it is
         const ChannelAffine& mine = grid.quad(quad.cell)[c];
         Pair gradient{{block.color_gradient[c][0] + node.prior * mine.gain - node.wanted[c][0],
                        block.color_gradient[c][1] + node.prior * mine.bias - node.wanted[c][1]}};

@@ -14,16 +14,16 @@ namespace gcpw
 
 /** @brief The quadratic energy of all colour grids while the meshes stand still, and its exact minimum.
 
-The channels do not meet, so they are three systems of one shape: 2 x 2 blocks on the quads (samples, priors) and
+The channels are independent: three systems of one structure, with 2 x 2 blocks on the quads (samples, priors) and
 between quads (smoothness within an image; samples between images). eliminate() also serves the mesh step: it removes the
-six colour unknowns of one quad from its mesh block (Schur complement) with its neighbours fixed at the present value. */
+six colour unknowns of one quad from its mesh block (Schur complement) with its neighbours fixed at their present values. */
 class ColorSystem : public ColorEquations
 {
 public:
     /// @param lattices one per image  @param fixed images whose colour does not change
     ColorSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& fixed);
 
-    /// Forgets everything but the lattices; keeps its memory.
+    /// Clears everything but the lattices; keeps its memory.
     void setZero();
 
     void addColorDifference(QuadId a, QuadId b, const ColorBlock& block) override;
@@ -33,7 +33,7 @@ public:
     void addSamples(QuadId quad, const SampleColor& block, const ColorGrid::Quad& now);
     /// What they say about the colour of the quad they are compared with.
     void addCross(QuadId a, const ColorGrid::Quad& now_a, QuadId b, const ColorGrid::Quad& now_b,
-                    const CrossColor& block);
+                  const CrossColor& block);
     void clearSamples();
 
     /// Takes the quad's colour unknowns out of `block`'s mesh part.
@@ -59,9 +59,9 @@ private:
     struct Node
     {
         std::array<ColorBlock, CHANNELS> samples;
-        std::array<std::array<double, 2>, CHANNELS> right{}; ///< right-hand side of the samples
-        double prior = 0;                                       ///< sum of the weights of its priors
-        std::array<std::array<double, 2>, CHANNELS> wanted{};   ///< sum of weight times reference
+        std::array<std::array<double, 2>, CHANNELS> right{};  ///< right-hand side of the samples
+        double prior = 0;                                     ///< sum of the weights of its priors
+        std::array<std::array<double, 2>, CHANNELS> wanted{}; ///< sum of weight times reference
         ColorBlock edge_sum;
         bool fixed = false;
         std::vector<int> edges;

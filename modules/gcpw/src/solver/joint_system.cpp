@@ -9,7 +9,7 @@ namespace gcpw
 namespace
 {
 
-const double STEP_TOLERANCE = 0.1; ///< many images: the next Gauss-Newton step corrects what is missing
+const double STEP_TOLERANCE = 0.1; ///< many images: the next Gauss-Newton step corrects what remains
 
 } // namespace
 

@@ -41,10 +41,10 @@ public:
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override;
     /// Takes the mesh part only.
     void addCross(QuadId a, QuadId b, const CrossBlock& block) override;
-    void addColorDifference(QuadId, QuadId, const ColorBlock&) override {} ///< says nothing of meshes
-    void addColorPrior(QuadId, double, const ColorGrid::Quad&) override {} ///< says nothing of meshes
+    void addColorDifference(QuadId, QuadId, const ColorBlock&) override {} ///< not about meshes
+    void addColorPrior(QuadId, double, const ColorGrid::Quad&) override {} ///< not about meshes
 
-    /// weight * |step|^2 for every vertex: keeps motions finite that no term feels.
+    /// weight * |step|^2 for every vertex: keeps motions finite that no term constrains.
     void addDamping(double weight);
 
     /** @brief Minimises the summed energy.

@@ -13,21 +13,21 @@ namespace cv
 namespace gcpw
 {
 
-/// What a features finder was shown and what it found.
+/// The images that a features finder was called with, and what it found.
 struct CapturedImages
 {
     std::vector<Mat> images;
     std::vector<KnownKeypoints> keypoints; ///< empty if they are not SIFT's
-    bool fresh = false;                    ///< not looked at since they were shown
+    bool fresh = false;                    ///< not used yet
 
     void clear() { *this = CapturedImages(); }
 };
 
-/// Hands everything on to another features finder and keeps what passes by: cv::Stitcher's images at work scale.
+/// Forwards everything to another features finder and keeps a copy: cv::Stitcher's images at work scale.
 class ImageCapture : public Feature2D
 {
 public:
-    /// @param finder may be empty: then detecting says so  @param on_show called when images come by; may be empty
+    /// @param finder may be empty: then detecting says so  @param on_show called when images arrive; may be empty
     ImageCapture(const Ptr<Feature2D>& finder, const std::shared_ptr<CapturedImages>& captured,
                  const std::function<void()>& on_show = std::function<void()>())
         : finder_(finder), captured_(captured), on_show_(on_show)

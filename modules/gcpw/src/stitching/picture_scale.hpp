@@ -10,7 +10,7 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief The scale of the warper that made a picture, told by where the picture lies.
+/** @brief The scale of the warper that made a picture, found from where the picture lies.
 
 The mesh of an image covers its picture, and grows with the scale: the four edges of the picture are the mesh's times the scale.
 @param index of the image  @param picture its rectangle on the canvas, or that of a part of it

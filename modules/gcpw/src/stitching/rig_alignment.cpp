@@ -24,7 +24,7 @@ namespace
 const double MAX_GROWTH = 16;     ///< of an image's area by the base warper: beyond it the camera is wrong
 const double MAX_MOVE = 0.5;      ///< of the larger side of an image: a mesh that moves farther is no refinement
 const double WORK_SLACK = 2;      ///< the canvas may have this many times workMegapix before it is scaled down once more
-const double WHOLE_CIRCLE = 0.95; ///< share of the period from which on the canvas may close
+const double WHOLE_CIRCLE = 0.95; ///< fraction of the period from which on the canvas may close
 
 float medianFocal(const std::vector<cv::detail::CameraParams>& cameras)
 {
@@ -54,7 +54,7 @@ std::string cameraFault(const Mat& K, const Mat& R, size_t index)
     if (K.total() == 9 && R.total() == 9 && checkRange(K) && checkRange(R) && std::abs(determinant(K)) > 0 &&
         std::abs(determinant(R)) > 0)
         return {};
-    return format("camera %zu is not a camera", index);
+    return format("K or R of camera %zu is not a finite, invertible 3 x 3 matrix", index);
 }
 
 std::string roiFault(Rect roi, Size image, size_t index)
@@ -98,7 +98,7 @@ std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypo
         warper.warp(Mat(size, CV_8UC1, Scalar(255)), K, off_seam, INTER_NEAREST, BORDER_CONSTANT, canvas.masks[i]);
         for (size_t k = 0; !keypoints.empty() && k < keypoints[i].points.size(); ++k)
         {
-            // What the projection has no place for goes far outside, where it is left out.
+            // Points that the projection cannot map are put far outside, where they are ignored.
             const Point2f p = warper.warpPoint(keypoints[i].points[k], K, off_seam) - Point2f(corner);
             canvas.keypoints[i].points[k] = std::isfinite(p.x) && std::isfinite(p.y) ? p : Point2f(-MAX_REMAP_SIDE, -MAX_REMAP_SIDE);
         }
@@ -115,7 +115,7 @@ std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypo
     return {};
 }
 
-/// Meshes that run away are worse than none.
+/// Meshes that move too far are worse than none.
 std::string meshFault(const Alignment& alignment)
 {
     for (int i = 0; i < alignment.imageCount(); ++i)
@@ -123,7 +123,7 @@ std::string meshFault(const Alignment& alignment)
         const Alignment::Image& image = alignment.image(i);
         const double limit = MAX_MOVE * std::max(image.work_size.width, image.work_size.height);
         if (!checkRange(image.mesh) || !checkRange(image.color) || !(norm(image.mesh, image.rough, NORM_INF) <= limit))
-            return format("the mesh of image %d ran away", i);
+            return format("the mesh of image %d moved farther than half its side, or is not finite", i);
     }
     return {};
 }
@@ -146,7 +146,7 @@ std::string alignInto(Rig& rig, const std::vector<Mat>& images, const Ptr<Warper
                       const Progress& progress, const std::vector<KnownKeypoints>& keypoints)
 {
     if (images.size() < 2)
-        return "one image has none to be aligned with";
+        return "a single image has no other to be aligned with";
     if (!(rig.scale > 0) || !std::isfinite(rig.scale))
         return "the cameras have no focal length";
     const Ptr<cv::detail::RotationWarper> warper = trueWarper(base->create(rig.scale));
@@ -184,7 +184,7 @@ RigEstimate estimateRig(const std::vector<Mat>& images, const std::vector<cv::de
                         const Ptr<WarperCreator>& base, const Params& params, const Progress& progress,
                         const std::vector<KnownKeypoints>& keypoints)
 {
-    // The caller's own exception is an answer to the caller, not to be mistaken for a failure in here.
+    // What the caller's callback throws goes to the caller: it is no failure of the estimation.
     bool callback_threw = false;
     Progress watched;
     if (progress)

@@ -47,7 +47,7 @@ Point2d PlacedMesh::referenceAt(Point2d canvas_px, int& hint) const
     CellPoint point;
     if (mesh_.invert(canvas_px, hint, point))
         return referencePoint(mesh_.lattice().referencePoint(point));
-    // Beside the mesh: the mesh is close to a shift, so that this contracts.
+    // Outside the mesh: the map is close to a shift, so that this iteration contracts.
     Point2d reference = canvas_px;
     const int max_steps = 50;
     const double close_px = 1e-4;

@@ -24,14 +24,14 @@ public:
 
     const MeshGrid& mesh() const { return mesh_; }
 
-    /// Where the base warper has what the mesh shows at a canvas point; beside the mesh it goes on as it ends.
+    /// Point of the base warper's canvas that the mesh carries to a canvas point: the inverse of canvasAt().
     Point2d referenceAt(Point2d canvas_px, int& hint) const;
 
-    /// Canvas point of a point of the base warper's canvas. Beside the mesh the nearest border point's move is kept: to
-    /// extrapolate stretched border quads would run wild.
+    /// Canvas point of a point of the base warper's canvas. Outside the mesh the motion of the nearest border point is
+    /// used: extrapolating stretched border quads would not be stable.
     Point2d canvasAt(Point2d reference_canvas_px) const;
 
-    /// Base canvas point of a point of the lattice, and the way back.
+    /// Base canvas point of a point of the lattice, and its inverse.
     Point2d referencePoint(Point2d lattice_px) const;
     Point2d latticePoint(Point2d reference_canvas_px) const;
 
@@ -48,9 +48,9 @@ public:
     struct Item
     {
         Alignment::Image image;
-        Matx33f R;       ///< of the camera
-        double seam_rotation_rad = 0; ///< radians, see Rig::turns
-        bool isIdentity = false; ///< the mesh is where the base warper has the image
+        Matx33f R;                    ///< of the camera
+        double seam_rotation_rad = 0; ///< see Rig::turns
+        bool isIdentity = false;      ///< the mesh is where the base warper has the image
     };
 
     /// Nothing if the rig is not usable. @throws cv::Exception see Rig::check()

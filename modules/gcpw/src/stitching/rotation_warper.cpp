@@ -30,7 +30,7 @@ Mat floats(InputArray matrix, const char* name)
     return result;
 }
 
-/// A bad camera must not eat the memory.
+/// A bad camera must not exhaust the memory.
 void checkRoi(Rect roi)
 {
     if (roi.width <= 0 || roi.height <= 0 || roi.width > MAX_REMAP_SIDE || roi.height > MAX_REMAP_SIDE)
@@ -55,7 +55,7 @@ public:
     Ptr<cv::detail::RotationWarper> base;
     std::shared_ptr<const RigModel> model;
 
-    /// The camera of one call and the image it belongs to; -1 for none or one at rest: the base warper answers.
+    /// The camera of one call and the image it belongs to; -1 for none, or one with an undeformed mesh: the base warper answers.
     struct CameraCall
     {
         Mat K;
@@ -85,8 +85,8 @@ public:
         return {*base, model->place(camera_call.index, base->getScale()), camera_call.K, camera_call.R, model->items()[camera_call.index].seam_rotation_rad};
     }
 
-    /// What warp() is called with. Masks have one channel; where the photographs have one too, the flags that cv::Stitcher
-    /// and everybody's loops warp masks with tell them apart.
+    /// What warp() is called with. Masks have one channel; where the photographs have one too, the flags with which
+    /// cv::Stitcher and similar loops warp masks tell them apart.
     Call kindOf(int channels, int interp_mode, int border_mode)
     {
         photometric_ = photometric_ || channels != 1;
@@ -198,7 +198,7 @@ Point GcpwRotationWarper::warp(InputArray src, InputArray K, InputArray R, int i
     dst.create(impl_->roi.size(), image.type());
     Mat picture = dst.getMat();
     remapTiled(image, picture, impl_->x_map, impl_->y_map, interp_mode, border_mode);
-    // A mirrored image ends nowhere under the base warper either: blenders mix what lies beyond the border.
+    // With these border modes the base warper fills all of its picture too: blenders mix what lies beyond the border.
     if (border_mode == BORDER_REFLECT || border_mode == BORDER_REFLECT_101 || border_mode == BORDER_REPLICATE)
         extendOutside(picture, (impl_->x_map != -1) | (impl_->y_map != -1));
     return impl_->roi.tl();

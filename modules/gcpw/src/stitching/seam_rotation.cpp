@@ -56,7 +56,7 @@ double rotateOffSeam(cv::detail::RotationWarper& warper, Size image, const Mat& 
     const double scale = warper.getScale();
     const double seam_rotation_rad = std::round(warper.warpPoint(centre, K, Mat(R)).x) / scale;
     const Rect moved = warper.warpRoi(image, K, Mat(rotatedAboutAxis(R, -seam_rotation_rad)));
-    // An image that is full-width wherever it lies holds a pole: nothing to gain.
+    // An image that spans the canvas at any angle contains a pole: rotating it does not help.
     return moved.width < 0.75 * plain.width ? seam_rotation_rad : 0;
 }
 

@@ -9,15 +9,15 @@ namespace cv
 namespace gcpw
 {
 
-/// The rotation after a seam_rotation_rad of the world about the vertical axis: canvas x of a cylinder grows by radians * scale.
+/// R after a rotation of the world about the vertical axis: canvas x of a cylinder grows by radians * scale.
 Matx33f rotatedAboutAxis(const Matx33f& R, double radians);
 
 /// Canvas pixels after which a warper's canvas repeats in x, or 0 if turning the camera does not just shift the picture.
 double periodOf(cv::detail::RotationWarper& warper, Size image, const Mat& K, const Matx33f& R);
 
-/** @brief The seam_rotation_rad that takes an image off the seam of a 360-degree canvas.
-@return 0 for an image that does not straddle the seam; else radians whose canvas shift is a whole number of pixels: the
-image warped with rotatedAboutAxis(R, -seam_rotation_rad) is contiguous, and lies at its own place plus seam_rotation_rad * scale */
+/** @brief The rotation about the vertical axis, in radians, that takes an image off the seam of a 360-degree canvas.
+@return 0 for an image that does not straddle the seam; else an angle whose canvas shift is a whole number of pixels:
+the image warped with rotatedAboutAxis(R, -angle) is contiguous, and angle * scale added to its x gives its own place */
 double rotateOffSeam(cv::detail::RotationWarper& warper, Size image, const Mat& K, const Matx33f& R, double period);
 
 } // namespace gcpw

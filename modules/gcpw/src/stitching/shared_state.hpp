@@ -13,20 +13,20 @@ namespace cv
 namespace gcpw
 {
 
-/// What a warper's creator, the compensator and the stitcher's binding know together.
+/// State that the creator of warpers, the compensator and the stitcher's binding share.
 struct SharedState
 {
     Ptr<WarperCreator> base;
     Rig rig;
-    std::shared_ptr<const RigModel> model; ///< of the rig; empty if it is not usable
-    std::vector<float> scales;             ///< of the warpers made, latest first, each once
+    std::shared_ptr<const RigModel> model;            ///< of the rig; empty if it is not usable
+    std::vector<float> scales;                        ///< of the warpers made, latest first, each once
     std::weak_ptr<cv::detail::RotationWarper> warper; ///< made last: cv::Stitcher keeps it until its panorama is done
-    std::function<void()> before_create;   ///< the binding's chance to estimate; may be empty
-    std::function<void()> before_feed;     ///< the binding's chance to see what became of the stitcher; may be empty
+    std::function<void()> before_create; ///< called before each warper is made: the binding estimates here; may be empty
+    std::function<void()> before_feed;   ///< called before feed(): the binding checks the stitcher's parts here; may be empty
 
     void setRig(const Rig& new_rig)
     {
-        // The model first: if it cannot be made, the rig of before stays whole.
+        // The model first: if it cannot be made, the former rig stays.
         const std::shared_ptr<const RigModel> new_model = RigModel::create(new_rig);
         rig = new_rig;
         model = new_model;

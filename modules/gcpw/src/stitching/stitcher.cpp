@@ -61,7 +61,7 @@ Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params,
                                 << ": it can compose after setTransform(), but not stitch()");
     const Ptr<Binding> binding = makePtr<Binding>(stitcher, params, progress);
     binding->shared_state()->base = base;
-    // The shared_state is part of the binding: a strong reference here would never be released.
+    // The shared state is part of the binding: a strong reference here would never be released.
     const std::weak_ptr<Binding> weak = binding;
     const auto hook = [weak](void (Binding::*call)())
     {

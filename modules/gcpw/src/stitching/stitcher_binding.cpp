@@ -53,7 +53,7 @@ void Binding::setImages(InputArrayOfArrays images)
     given_.assign(umats.size(), Mat());
     for (size_t i = 0; i < umats.size(); ++i)
         umats[i].copyTo(given_[i]);
-    // Why there is no answer was said of other images, and the next warper is of another panorama.
+    // The reason of the last failure was about other images, and the next warper is of another panorama.
     lasting_ = lasting_ && shared_state_->rig.usable();
     shared_state_->warper.reset();
 }

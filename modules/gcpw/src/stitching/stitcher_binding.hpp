@@ -15,7 +15,7 @@ namespace cv
 namespace gcpw
 {
 
-/// What the shared_state's hooks need; owned by the stitcher through its warper, so it must not own the stitcher.
+/// Implements the hooks of SharedState. The stitcher owns it through its warper, so it must not own the stitcher.
 class Binding : public StitcherBinding
 {
 public:
@@ -36,7 +36,7 @@ public:
     /// Called before each warper is made: the cameras are final then, and no image has been warped yet.
     void beforeCreate();
 
-    /// Called where a stitcher is at work with a part of ours: without our warper there will be no beforeCreate().
+    /// Called by the other parts of ours in a running stitcher: without our warper there will be no beforeCreate().
     void atWork();
 
 private:
@@ -58,7 +58,7 @@ private:
     Progress progress_;
     std::shared_ptr<SharedState> shared_state_;
     std::shared_ptr<CapturedImages> shown_; ///< to the features finder
-    std::vector<Mat> given_;          ///< by setImages()
+    std::vector<Mat> given_;                ///< by setImages()
     Parts parts_;
     std::vector<std::string> noted_; ///< replaced parts that were logged
     bool lasting_ = true;            ///< the rig, or the reason why it has no answer; see RigEstimate

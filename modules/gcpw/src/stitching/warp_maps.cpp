@@ -112,7 +112,7 @@ Rect WarpMaps::roi(Size image) const
     }
     const Rect base = base_.warpRoi(image, K_, R_);
     const Rect covered = coveredRect(placed_.mesh(), FrameScale());
-    // A picture that is wider than its border holds a pole: only the mesh itself knows its bounds.
+    // A picture that is wider than its border contains a pole: only the mesh itself knows its bounds.
     const double slack = 4;
     const bool by_border = base.width <= reference_high.x - reference_low.x + slack && base.height <= reference_high.y - reference_low.y + slack;
     Rect roi = covered;

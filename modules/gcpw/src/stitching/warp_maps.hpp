@@ -10,11 +10,11 @@ namespace cv
 namespace gcpw
 {
 
-/// Base warper and mesh in a row, for one camera at one scale: points, rectangle and maps.
+/// Base warper followed by a mesh, for one camera at one scale: points, rectangle and maps.
 class WarpMaps
 {
 public:
-    /// @param seam_rotation_rad radians by which the mesh's own frame is rotatedAboutAxis off the seam; see rotateOffSeam()
+    /// @param seam_rotation_rad by which the mesh's own frame is rotated off the seam; see rotateOffSeam()
     WarpMaps(cv::detail::RotationWarper& base, const PlacedMesh& placed, const Mat& K, const Matx33f& R, double seam_rotation_rad);
 
     Point2f canvasAt(Point2f image_px) const;
@@ -36,10 +36,10 @@ private:
     cv::detail::RotationWarper& base_;
     PlacedMesh placed_;
     Mat K_;
-    Mat R_; ///< rotatedAboutAxis off the seam
+    Mat R_; ///< rotated off the seam
     Mat plain_R_;
     double turn_px_;
-    double period_px_; ///< 0 unless the image was rotatedAboutAxis
+    double period_px_; ///< 0 unless the image was rotated
 };
 
 } // namespace gcpw
