@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
 """Puts measured tables into the documents: evaluation/fill_results.py OUT [PAPER]
 
 OUT is the folder of `scripts/evaluate PAIRS OUT`, PAPER that of `scripts/evaluate PAIRS PAPER --paper --methods=gcpw

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
 """Draws the results of gcpw_evaluate: plot_results.py FOLDER [--pairs NAME,NAME,..]
 
 FOLDER holds results.csv. Writes FOLDER/plots/degrees.svg, the error against the degree of synthetic colour variation for

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
 """Prints how well each method aligns every pair of photographs in a folder.
 
     evaluation/tables/pairs_table.py PAIRS [--program build/release/apps/gcpw_pair] [--methods global,cpw,dfw,mfw,gcpw] [--inputs 5]

@@ -1,4 +1,6 @@
-# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
 """What the end-to-end tests share: running a program in a scratch folder and looking at what it left there.
 
 A test is a script `test_*.py PROGRAMS SCRATCH SAMPLES`; it needs nothing but Python's own library."""

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-# Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
 """The samples of the module: they stitch, and refuse what they cannot.
 
 Usage: test_tutorials.py PROGRAMS SCRATCH SAMPLES"""

@@ -1,4 +1,4 @@
-// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+// This file is part of OpenCV project, under the license terms in its LICENSE file.
 //
 // A stitching loop written over cv::detail; only what is marked GCPW is not in every such program. All steps work
 // on the images as given, best under a megapixel; OpenCV's stitching_detailed has a resolution for each step.

@@ -1,4 +1,4 @@
-// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+// This file is part of OpenCV project, under the license terms in its LICENSE file.
 //
 // Two photographs, one call. The second keeps its place, the first is warped onto it.
 #include <iostream>

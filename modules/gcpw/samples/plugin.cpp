@@ -1,4 +1,4 @@
-// Part of the GCPW module for OpenCV. Licence: Apache-2.0 (see LICENSE).
+// This file is part of OpenCV project, under the license terms in its LICENSE file.
 //
 // An ordinary cv::Stitcher program, with the one line that puts GCPW into it.
 #include <iostream>
