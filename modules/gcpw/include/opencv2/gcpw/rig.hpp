@@ -68,7 +68,7 @@ struct CV_EXPORTS_W_SIMPLE Rig
 /** @brief Estimates a rig from photographs and their cameras.
 
 Warps every image with the base warper at the cameras' median focal length, as cv::Stitcher does, and refines with Aligner.
-@param images 8-bit BGR, gray or BGRA, one for each camera and at the resolution that the cameras refer to
+@param images two or more, 8-bit BGR, gray or BGRA, one for each camera and at the resolution that the cameras refer to
 @param cameras as cv::detail::BundleAdjusterBase leaves them; for the affine warper R is the affine map
 @param base creator of the base warper, e.g. cv::SphericalWarper
 @param params of the alignment; canvasPeriod is ignored, workMegapix may be exceeded twice
