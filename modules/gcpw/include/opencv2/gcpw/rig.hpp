@@ -81,14 +81,14 @@ CV_EXPORTS Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail:
                         const Progress& progress = Progress(),
                         const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>());
 
-/** @brief The same with a base warper by its name, for languages without cv::WarperCreator.
+/** @brief alignRig() with a base warper by its name, for languages without cv::WarperCreator: alignRig in Python.
 @param images, cameras, params as above
 @param warper a name that cv::PyRotationWarper knows: "plane", "affine", "cylindrical", "spherical", "fisheye", "stereographic",
 "compressedPlaneA2B1", "compressedPlaneA1.5B1", "compressedPlanePortraitA2B1", "compressedPlanePortraitA1.5B1", "paniniA2B1",
 "paniniA1.5B1", "paniniPortraitA2B1", "paniniPortraitA1.5B1", "mercator" or "transverseMercator"
 @throws cv::Exception also StsBadArg if there is no warper of that name */
-CV_EXPORTS_W Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras, const String& warper,
-                          const Params& params = Params());
+CV_EXPORTS_AS(alignRig) Rig alignRigByName(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras,
+                                           const String& warper, const Params& params = Params());
 
 //! @}
 
