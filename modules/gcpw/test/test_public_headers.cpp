@@ -7,6 +7,8 @@
 #include <type_traits>
 #include "opencv2/gcpw.hpp"
 
+namespace opencv_test
+{
 namespace
 {
 
@@ -73,9 +75,10 @@ TEST(Gcpw_PublicHeaders, a_base_warper_may_be_named_and_unknown_names_are_refuse
                              "paniniA1.5B1", "paniniPortraitA2B1", "paniniPortraitA1.5B1", "mercator", "transverseMercator"})
     {
         EXPECT_NO_THROW(PyRotationWarper(name, 100.F)) << name;
-        EXPECT_EQ(alignRig(images, cameras, name).cameras.size(), cameras.size()) << name;
+        EXPECT_EQ(alignRigByName(images, cameras, name).cameras.size(), cameras.size()) << name;
     }
-    EXPECT_THROW(alignRig(images, cameras, "sperical"), cv::Exception);
+    EXPECT_THROW(alignRigByName(images, cameras, "sperical"), cv::Exception);
 }
 
 } // namespace
+} // namespace opencv_test

@@ -251,8 +251,8 @@ Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraPara
     return estimateRig(mats, cameras, base, params, progress, keypoints).rig;
 }
 
-Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras, const String& warper,
-             const Params& params)
+Rig alignRigByName(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras, const String& warper,
+                   const Params& params)
 {
     return alignRig(images, cameras, warperOfName(warper), params);
 }

@@ -55,7 +55,7 @@ public:
 
     The first three arguments are those of cv::detail::ExposureCompensator::feed.
     @param corners canvas position of the top-left pixel of each image; moving all of them by the same vector moves the result by it
-    @param images one or more, 8-bit BGR, gray or BGRA
+    @param images two or more, 8-bit BGR, gray or BGRA
     @param masks CV_8UC1 of the same sizes, non-zero inside; an empty vector means everywhere
     @param correspondences matches known already; if there are any, no others are looked for, also not for other pairs
     @param progress may be empty; cancelling returns the rough alignment with Status::CANCELLED

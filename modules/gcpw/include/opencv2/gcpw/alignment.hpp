@@ -67,7 +67,7 @@ struct CV_EXPORTS LevelReport
 /// How well two images line up; lower is better, 0 is perfect, NaN where nothing could be compared.
 struct CV_EXPORTS_W_SIMPLE Score
 {
-    Score() : ncc(0), zncc(0) {}
+    CV_WRAP Score() : ncc(0), zncc(0) {}
 
     CV_PROP_RW double ncc;  //!< 100 * RMS of 1 - NCC over 5 x 5 windows, the paper's measure
     CV_PROP_RW double zncc; //!< 100 * RMS of 1 - zero-mean NCC over windows with texture in both images
@@ -98,7 +98,7 @@ struct CV_EXPORTS Timings
 /// How an alignment came about.
 struct CV_EXPORTS_W_SIMPLE Report
 {
-    Report() : status(Status::OK), folds(0), max_displacement_px(0), gain_min(1), gain_max(1) {}
+    CV_WRAP Report() : status(Status::OK), folds(0), max_displacement_px(0), gain_min(1), gain_max(1) {}
 
     CV_PROP_RW Status status;       //!< how it ended
     CV_PROP_RW std::string message; //!< why the status is not OK, or what is missing although it is; else empty
@@ -117,6 +117,8 @@ A mesh of cols x rows quads of equal size covers the image; vertex (r, c) lies a
 (r / rows) * work_size.height - 0.5) of the image, in working pixels. */
 struct CV_EXPORTS_W_SIMPLE AlignedImage
 {
+    CV_WRAP AlignedImage() {}
+
     CV_PROP_RW Size full_size; //!< pixels of the image as it was given, 1 x 1 or more
     CV_PROP_RW Size work_size; //!< pixels of the image as it was aligned: the unit of its mesh
     CV_PROP_RW Mat mesh;       //!< (rows + 1) x (cols + 1), CV_64FC2: canvas position x, y of each vertex, working pixels
@@ -142,7 +144,7 @@ public:
     typedef AlignedImage Image; //!< its name in earlier versions
 
     /// No images, Status::OK.
-    Alignment() = default;
+    CV_WRAP Alignment() {}
 
     /** @param images none, or images with sizes of at least 1 px, 2..256 quads a side and finite values
     @param canvas_scale see canvasScale(), finite and > 0

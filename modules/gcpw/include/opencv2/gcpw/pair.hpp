@@ -65,6 +65,8 @@ enum class Blend
 /// Both photographs on one canvas at the target's resolution; all Mats have one size.
 struct CV_EXPORTS_W_SIMPLE PairCanvas
 {
+    CV_WRAP PairCanvas() {}
+
     CV_PROP_RW Mat source;           //!< warped source, colours unchanged, CV_8UC3; black outside its mask
     CV_PROP_RW Mat source_mask;      //!< CV_8UC1: 255 exactly where the mesh covers a pixel centre with a valid pixel
     CV_PROP_RW Mat source_corrected; //!< warped source with the colour model applied, CV_8UC3

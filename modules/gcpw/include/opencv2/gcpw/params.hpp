@@ -44,8 +44,7 @@ const cv::gcpw::Alignment alignment = cv::gcpw::alignPair(source, target, params
 @endcode
 
 Units: lengths are pixels of the working resolution (workMegapix) unless another one is named. Intensities lie in [0, 1]. A
-*sample* is one pixel at which two images are compared (sampleStep). Weights are relative to each other: scaling all of them
-changes nothing. Where no upper bound stands, it is 1e9 for a weight and for canvasPeriod, 1e6 for anything else.
+*sample* is one pixel at which two images are compared (sampleStep). Weights are relative to each other. Where no upper bound stands, it is 1e9 for a weight and for canvasPeriod, 1e6 for anything else.
 
 "Two images" below means alignPair() and Aligner with two images of which one is fixed; "several images" means three or more,
 or two with referenceImage -2. The labels of equations are those of @cite chen2018gcpw. */
@@ -160,9 +159,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// values trust fainter texture, larger ones approach equal weights for all samples; 0 means exactly equal weights of 1.
     /// Typical: 0.01..0.1. default 0.03
     CV_PROP_RW double contrastFloor;
-    /// Scale of the Geman-McClure loss of a sample's residual on the finest level, in units of 0.1 intensity after the
-    /// weighting by contrastFloor; doubled on each coarser level. Smaller values ignore more of what differs (moving objects,
-    /// reflections). 0: squared loss. Typical: 1..4. default 2
+    /// Scale of the Geman-McClure loss of a sample's residual on the finest level, in local standard deviations of luma (in units
+    /// of 0.1 intensity if contrastFloor is 0); doubled on each coarser level. Smaller values ignore more of what differs (moving
+    /// objects, reflections). 0: squared loss. Typical: 1..4. default 2
     CV_PROP_RW double robustScale;
     /// Two images: weight of E_v, a prior on the gain of each quad, relative to photometricWeight, >= 0. It draws the gain to the
     /// ratio of the standard deviations of both images in the quad, the more so the less they correlate. Larger values keep

@@ -70,7 +70,7 @@ struct CV_EXPORTS_W_SIMPLE Rig
 /** @brief Estimates a rig from photographs and their cameras.
 
 Warps every image with the base warper at the cameras' median focal length, as cv::Stitcher does, and refines with Aligner.
-@param images 8-bit BGR, gray or BGRA, one for each camera and at the resolution that the cameras refer to
+@param images two or more, 8-bit BGR, gray or BGRA, one for each camera and at the resolution that the cameras refer to
 @param cameras as cv::detail::BundleAdjusterBase leaves them; for the affine warper R is the affine map
 @param base creator of the base warper, e.g. cv::SphericalWarper
 @param params of the alignment; canvasPeriod is ignored, workMegapix may be exceeded twice
@@ -83,14 +83,14 @@ CV_EXPORTS Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail:
                         const Progress& progress = Progress(),
                         const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>());
 
-/** @brief The same with a base warper by its name, for languages without cv::WarperCreator.
+/** @brief alignRig() with a base warper by its name, for languages without cv::WarperCreator: alignRig in Python.
 @param images, cameras, params as above
 @param warper a name that cv::PyRotationWarper knows: "plane", "affine", "cylindrical", "spherical", "fisheye", "stereographic",
 "compressedPlaneA2B1", "compressedPlaneA1.5B1", "compressedPlanePortraitA2B1", "compressedPlanePortraitA1.5B1", "paniniA2B1",
 "paniniA1.5B1", "paniniPortraitA2B1", "paniniPortraitA1.5B1", "mercator" or "transverseMercator"
 @throws cv::Exception also StsBadArg if there is no warper of that name */
-CV_EXPORTS_W Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras, const String& warper,
-                          const Params& params = Params());
+CV_EXPORTS_AS(alignRig) Rig alignRigByName(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras,
+                                           const String& warper, const Params& params = Params());
 
 //! @}
 

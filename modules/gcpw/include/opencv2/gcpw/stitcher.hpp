@@ -31,7 +31,7 @@ public:
     CV_WRAP virtual const Rig& rig() const = 0;
 
     /** @brief Sets a rig estimated before, by this or another process. Used as long as Rig::fits() the stitcher's cameras.
-    @param rig one that is not usable() is estimated anew
+    @param rig with one that is not usable() its cameras get the plain warper
     @throws cv::Exception see Rig::check(); the old rig is kept then */
     CV_WRAP virtual void setRig(const Rig& rig) = 0;
 
