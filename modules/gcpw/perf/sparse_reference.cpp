@@ -48,7 +48,7 @@ void addMesh(const RecordingEquations& record, gcpw::QuadId quad, const gcpw::Qu
 
 void addPairs(const RecordingEquations& record, Entries& entries)
 {
-    for (const RecordingEquations::Partner& item : record.targets)
+    for (const RecordingEquations::Target& item : record.targets)
     {
         addMesh(record, item.b, item.block.mesh_mesh, entries);
         for (int i = 0; i < 8; ++i)

@@ -24,6 +24,8 @@ const double ROUNDING = 1e-3;
 /// random scenes 8 whose rendered zncc had risen by more than 2 % had gained less than this, most of them nearly perfect before.
 const double WORTH_IT = 0.95;
 const double LEAST_GAIN = 0.003;
+/// Decorrelation (Score::zncc / 100) of a rough alignment that leaves nothing to refine: what noise and resampling make.
+const double ALIGNED = 0.03;
 /// The end gives way to the matches only if it is worse by this much: a preference, not the
 /// strict rule that protects the rough alignment, and the comparison of patches is good to a few per cent.
 const double CLEARLY_WORSE = 1.05;
@@ -92,6 +94,7 @@ Choice bestCandidate(const Problem& problem, const std::vector<ImageState>& end,
     const Judged ended = judge(problem, end, nothing_to_compare);
     Choice choice;
     choice.before = start.pairs;
+    choice.rough_is_aligned = !nothing_to_compare && start.miss < ALIGNED;
     if (noWorse(ended, matched, CLEARLY_WORSE) && isWorthIt(ended, start))
     {
         choice.after = ended.pairs;

@@ -25,6 +25,7 @@ enum class Candidate
 struct Choice
 {
     Candidate best = Candidate::END;
+    bool rough_is_aligned = false;     ///< the rough alignment lines up so well that there is nothing to refine
     std::vector<Decorrelation> before; ///< of the rough alignment, one for each pair
     std::vector<Decorrelation> after;  ///< of the chosen one
 };

@@ -25,7 +25,7 @@ typedef std::function<bool(const std::string& stage, double fraction)> Progress;
 /// How an alignment ended.
 enum class Status
 {
-    OK = 0,          //!< refined as asked
+    OK = 0,          //!< refined as asked, or lined up already: then the meshes are those of the rough alignment
     ROUGH = 1,       //!< the refinement failed or improved nothing; the rough alignment is returned (see Report::message)
     NO_ALIGNMENT = 2, //!< not even a rough alignment was found
     CANCELLED = 3    //!< the progress callback said stop; the rough alignment is returned
