@@ -24,6 +24,7 @@ Mat plainPanorama(const std::vector<Mat>& images, const std::vector<cv::detail::
 {
     const Ptr<Stitcher> plain = withoutSeams(warper);
     Mat panorama;
+    CV_CheckEQ(images.size(), cameras.size(), "an image was dropped: a plain stitcher would read beyond its cameras");
     EXPECT_EQ(plain->setTransform(images, cameras), Stitcher::OK);
     EXPECT_EQ(plain->composePanorama(panorama), Stitcher::OK);
     return panorama;
