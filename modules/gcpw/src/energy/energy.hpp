@@ -21,7 +21,6 @@ class Energy
 {
 public:
     void add(std::unique_ptr<EnergyTerm> term) { terms_.push_back(std::move(term)); }
-    bool empty() const { return terms_.empty(); }
 
     /// By name, in the order in which the names were added.
     std::vector<TermEnergy> evaluate(const State& state) const;

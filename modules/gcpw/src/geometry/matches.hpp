@@ -33,7 +33,6 @@ struct MatchSet
 {
     std::vector<PointMatch> points;
     std::vector<LineMatch> lines;
-    std::vector<PointMatch> dense; ///< from optical flow: many, each worth less than a keypoint
 };
 
 } // namespace gcpw
