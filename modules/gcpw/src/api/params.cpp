@@ -38,6 +38,7 @@ const Field FIELDS[] = {
     {"photometricWeight", nullptr, &Params::photometricWeight, 0, HEAVIEST, true},
     {"geometricWeight", nullptr, &Params::geometricWeight, 0, HEAVIEST, true},
     {"similarityWeight", nullptr, &Params::similarityWeight, 0, HEAVIEST, false},
+    {"straightnessWeight", nullptr, &Params::straightnessWeight, 0, HEAVIEST, true},
     {"colorSmoothnessWeight", nullptr, &Params::colorSmoothnessWeight, 0, HEAVIEST, false},
     {"colorRestWeight", nullptr, &Params::colorRestWeight, 0, HEAVIEST, false},
     {"sampleStep", &Params::sampleStep, nullptr, 1, 64, true},
@@ -88,6 +89,7 @@ Params::Params()
     photometricWeight = 100;
     geometricWeight = 1;
     similarityWeight = 0.2;
+    straightnessWeight = 5;
     colorSmoothnessWeight = 100;
     colorRestWeight = 1;
     sampleStep = 2;
@@ -116,6 +118,7 @@ Params Params::paper()
 {
     Params p;
     p.similarityWeight = 0.5;
+    p.straightnessWeight = 0;
     p.colorSmoothnessWeight = 1;
     p.sampleStep = 3;
     p.maxIterations = 1000;

@@ -9,6 +9,7 @@
 #include "geometry/homography.hpp"
 #include "registration/match_filter.hpp"
 #include "registration/rough_alignment.hpp"
+#include "registration/straight_lines.hpp"
 
 namespace cv
 {
@@ -29,6 +30,8 @@ std::vector<Photograph> toPhotographs(const std::vector<Mat>& images, const std:
     }
     return photographs;
 }
+
+const double LEAST_LINE = 0.03; ///< of the diagonal: shorter ones cannot be seen to bend
 
 /// The lattice of every image carried through its homography.
 std::vector<ProblemImage> roughImages(const std::vector<WorkImage>& images, const RoughStart& start,
@@ -81,6 +84,18 @@ void ProblemBuilder::findFeatures(const std::vector<KnownKeypoints>& known)
                 : detectFeatures(photograph.image, photograph.mask, to_reference, params_);
     }
     report_.timings_ms.features += millisecondsSince(tick);
+}
+
+void ProblemBuilder::keepStraight()
+{
+    for (size_t i = 0; !failed() && i < problem_.images.size(); ++i)
+    {
+        const Size size = images_[i].photograph.image.size();
+        const double min_length = LEAST_LINE * std::hypot(size.width, size.height);
+        problem_.images[i].straight.clear();
+        for (const Segment& line : joinSegments(features_[i].segments, min_length))
+            problem_.images[i].straight.push_back({line.start, line.end});
+    }
 }
 
 void ProblemBuilder::startFromHomography()
@@ -158,6 +173,7 @@ MatchSet ProblemBuilder::verified(const std::vector<Correspondences>& known, con
 Alignment ProblemBuilder::align()
 {
     std::vector<ImageState> states = roughStates(problem_);
+    keepStraight();
     if (!failed())
     {
         const int64 tick = getTickCount();

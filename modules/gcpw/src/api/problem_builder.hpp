@@ -55,6 +55,7 @@ public:
     Report& report() { return report_; } ///< for what was found before; align() adds to its total time
 
 private:
+    void keepStraight();
     bool goOn(const char* stage, double share);
     bool failed() const { return report_.status != Status::OK; }
     MatchSet verified(const std::vector<Correspondences>& known, const ProblemPair& pair) const;

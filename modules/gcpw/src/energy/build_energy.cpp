@@ -11,6 +11,7 @@
 #include "energy/photometric_term.hpp"
 #include "energy/point_term.hpp"
 #include "energy/similarity_term.hpp"
+#include "energy/straightness_term.hpp"
 
 namespace cv
 {
@@ -20,6 +21,7 @@ namespace gcpw
 namespace
 {
 
+const double STRAIGHT_STEP = 4; ///< px from sample to sample of a curve that is to stay straight: several in every quad
 const double DEVIATION = 0.1; ///< of the weighted residual of a sample that fits: the unit of robustScale
 
 RobustLoss lossOf(double scale)
@@ -63,6 +65,9 @@ void addShape(const Problem& problem, int image, const Params& params, Energy& e
 {
     const MeshGrid& rough = problem.images[image].rough;
     energy.add(std::make_unique<SimilarityTerm>(image, rough, params.similarityWeight));
+    if (params.straightnessWeight > 0 && !problem.images[image].straight.empty())
+        energy.add(std::make_unique<StraightnessTerm>(image, rough, problem.images[image].straight, STRAIGHT_STEP,
+                                                      params.straightnessWeight));
     if (!problem.hasManyImages() || params.restWeight == 0)
         return;
     std::vector<int> cells(rough.lattice().cellCount());

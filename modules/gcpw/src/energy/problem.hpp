@@ -5,6 +5,7 @@
 #define OPENCV_GCPW_PROBLEM_HPP
 
 #include <vector>
+#include "geometry/curve.hpp"
 #include "geometry/matches.hpp"
 #include "imaging/pyramid.hpp"
 #include "model/mesh_grid.hpp"
@@ -19,6 +20,7 @@ struct ProblemImage
 {
     MeshGrid rough;                    ///< the rough alignment: where the lattice lies on the canvas before refinement
     std::vector<PyramidLevel> pyramid; ///< may be empty if no method with pixels is used
+    std::vector<Curve> straight;       ///< reference px: what is straight in the scene and is to stay so
     bool fixed = false;                ///< neither mesh nor colour changes
 };
 

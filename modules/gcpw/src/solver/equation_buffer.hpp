@@ -35,6 +35,7 @@ public:
     {
         rows_.clear();
         blocks_.clear();
+        groups_.clear();
         photometric_.clear();
         cross_.clear();
         differences_.clear();
@@ -52,6 +53,10 @@ public:
     void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) override
     {
         blocks_.push_back({quad, block, gradient, energy});
+    }
+    void addGroup(int image, const std::vector<GroupRow>& rows, double weight) override
+    {
+        groups_.push_back({image, rows, weight});
     }
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override { photometric_.push_back({quad, block}); }
     void addCross(QuadId a, QuadId b, const CrossBlock& block) override { cross_.push_back({a, b, block}); }
@@ -71,6 +76,8 @@ public:
                 equations.addRow(item.a, item.row_a, item.b, item.row_b, item.residual, item.weight);
         for (const Block& item : blocks_)
             equations.addBlock(item.quad, item.block, item.gradient, item.energy);
+        for (const Group& item : groups_)
+            equations.addGroup(item.image, item.rows, item.weight);
         for (const Photometric& item : photometric_)
             equations.addPhotometric(item.quad, item.block);
         for (const Cross& item : cross_)
@@ -98,6 +105,12 @@ private:
         QuadRow gradient;
         double energy;
     };
+    struct Group
+    {
+        int image;
+        std::vector<GroupRow> rows;
+        double weight;
+    };
     struct Difference
     {
         QuadId a;
@@ -113,6 +126,7 @@ private:
 
     std::vector<Row> rows_;
     std::vector<Block> blocks_;
+    std::vector<Group> groups_;
     std::vector<Photometric> photometric_;
     std::vector<Cross> cross_;
     std::vector<Difference> differences_;

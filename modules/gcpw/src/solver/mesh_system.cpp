@@ -4,7 +4,9 @@
 #include "solver/mesh_system.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/core/utility.hpp>
+#include "solver/projected_rows.hpp"
 #include "solver/quad_matrix.hpp"
 
 namespace cv
@@ -22,6 +24,7 @@ const int CG_MAX_ITERATIONS = 200;
 MeshSystem::MeshSystem(const std::vector<Lattice>& lattices, const std::vector<bool>& fixed) : lattices_(lattices), offsets_(1, 0)
 {
     CV_Assert(fixed.size() == lattices.size());
+    groups_.resize(lattices.size());
     for (size_t i = 0; i < lattices.size(); ++i)
     {
         matrices_.push_back(fixed[i] ? nullptr : std::make_unique<QuadMatrix>(lattices[i]));
@@ -38,6 +41,8 @@ void MeshSystem::setZero()
         tie.matrix.setZero();
         tie.used = false;
     }
+    for (LowRank& group : groups_)
+        group.clear();
     for (auto& matrix : matrices_)
         if (matrix)
             matrix->setZero();
@@ -68,6 +73,25 @@ void MeshSystem::addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gr
         matrices_[quad.image]->addBlock(quad.cell, block, gradient);
 }
 
+void MeshSystem::addGroup(int image, const std::vector<GroupRow>& rows, double weight)
+{
+    if (!matrices_[image])
+        return;
+    QuadMatrix& matrix = *matrices_[image];
+    const ProjectedRows projected = projectOut(rows);
+    for (size_t k = 0; k < rows.size(); ++k)
+        matrix.addRow(rows[k].cell, rows[k].row, projected.residuals[k], weight);
+    // The rows count fully above; what their own unknowns can follow is taken off again: - w (N^T q) (N^T q)^T.
+    for (const std::vector<double>& q : projected.basis)
+    {
+        groups_[image].beginColumn();
+        for (size_t k = 0; k < rows.size(); ++k)
+            for (int i = 0; i < 8; ++i)
+                groups_[image].add(matrix.column(rows[k].cell, i), std::sqrt(weight) * q[k] * rows[k].row[i]);
+        groups_[image].endColumn();
+    }
+}
+
 void MeshSystem::addPhotometric(QuadId quad, const PhotometricBlock& block)
 {
     addBlock(quad, block.mesh_mesh, block.mesh_gradient, block.energy);
@@ -89,9 +113,10 @@ void MeshSystem::tie(QuadId a, QuadId b, const QuadBlock& block)
     found->used = true;
 }
 
-bool MeshSystem::tied() const
+bool MeshSystem::isDirect() const
 {
-    return std::any_of(ties_.begin(), ties_.end(), [](const Tie& t) { return t.used; });
+    return std::all_of(groups_.begin(), groups_.end(), [](const LowRank& group) { return group.empty(); }) &&
+           std::none_of(ties_.begin(), ties_.end(), [](const Tie& t) { return t.used; });
 }
 
 template <typename Work>
@@ -121,6 +146,7 @@ void MeshSystem::multiply(const Eigen::VectorXd& in, Eigen::VectorXd& out) const
         auto mine = part(image, out);
         mine.setZero();
         matrices_[image]->multiply(part(image, in), mine);
+        groups_[image].subtractProduct(part(image, in), mine);
         for (const Tie& tie : ties_)
         {
             if (tie.a == image)
@@ -149,7 +175,7 @@ SolveStatus MeshSystem::solve(MeshStep& step, double tolerance)
         return SolveStatus::NotPositiveDefinite;
     Eigen::VectorXd x = Eigen::VectorXd::Zero(rhs.size());
     SolveStatus status = SolveStatus::Solved;
-    if (!tied())
+    if (isDirect())
         solveEach(rhs, x);
     else
         status = conjugateGradient(

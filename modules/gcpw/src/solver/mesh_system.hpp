@@ -8,6 +8,7 @@
 #include <vector>
 #include "solver/conjugate_gradient.hpp"
 #include "solver/cross_matrix.hpp"
+#include "solver/low_rank.hpp"
 #include "solver/normal_equations.hpp"
 #include "geometry/lattice.hpp"
 
@@ -39,6 +40,7 @@ public:
     void addRow(QuadId a, const QuadRow& row_a, QuadId b, const QuadRow& row_b, double residual,
                 double weight) override;
     void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) override;
+    void addGroup(int image, const std::vector<GroupRow>& rows, double weight) override;
     /// Takes the mesh part only.
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override;
     /// Takes the mesh part only.
@@ -65,7 +67,7 @@ private:
     };
     bool fixed(QuadId quad) const { return !matrices_[quad.image]; }
     void tie(QuadId a, QuadId b, const QuadBlock& block);
-    bool tied() const;
+    bool isDirect() const; ///< the factors alone give the answer
     void multiply(const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
     /// Calls work(image) for every image that moves, several at a time.
     template <typename Work>
@@ -73,6 +75,7 @@ private:
 
     std::vector<Lattice> lattices_;
     std::vector<std::unique_ptr<QuadMatrix>> matrices_; ///< null where fixed
+    std::vector<LowRank> groups_;                       ///< one per image: what the groups' own unknowns take off
     std::vector<int> offsets_;                          ///< first column of every image, and one past the last
     std::vector<Tie> ties_;
 };

@@ -5,6 +5,7 @@
 #define OPENCV_GCPW_NORMAL_EQUATIONS_HPP
 
 #include <array>
+#include <vector>
 #include "model/color_grid.hpp"
 
 namespace cv
@@ -70,6 +71,15 @@ struct CrossBlock : CrossColor
     QuadRow mesh_gradient{}; ///< of the target
 };
 
+/// One of many rows of an image that share two unknowns of their own.
+struct GroupRow
+{
+    int cell = -1;
+    QuadRow row{};
+    double residual = 0;
+    std::array<double, 2> shared{}; ///< how the residual depends on the unknowns that the rows share
+};
+
 /// Receives quadratic energies of mesh vertices. Rows of an image that is fixed are dropped by the receiver.
 class MeshEquations
 {
@@ -85,6 +95,11 @@ public:
 
     /// energy + 2 gradient . d + d^T block d
     virtual void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) = 0;
+
+    /** @brief The least of weight * sum_k (residual_k + row_k . d + shared_k . z)^2 over z, two unknowns of the group alone.
+
+    They are eliminated exactly, so that the group does not resist what they can follow (variable projection). */
+    virtual void addGroup(int image, const std::vector<GroupRow>& rows, double weight) = 0;
 };
 
 /// Receives quadratic energies of colours, in their values rather than in a step from the present ones.
