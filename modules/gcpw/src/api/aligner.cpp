@@ -40,17 +40,18 @@ public:
 
     Alignment align(const std::vector<Point>& corners, InputArrayOfArrays image_array, InputArrayOfArrays mask_array,
                     const std::vector<Correspondences>& correspondences, const Progress& progress,
-                    const std::vector<KnownKeypoints>& keypoints) override
+                    const std::vector<KnownKeypoints>& keypoints, const std::vector<KnownLines>& lines) override
     {
         const std::vector<Mat> images = toMats(image_array);
         const std::vector<Mat> masks = toMats(mask_array);
-        checkAlignerInput(corners, images, masks, correspondences, keypoints, params_);
+        checkAlignerInput(corners, images, masks, correspondences, keypoints, lines, params_);
         const MatchKinds kinds = matchesUsedBy(params_.method);
         ProblemBuilder builder(images, masks, ScaleRule::COMMON, params_, progress);
         builder.startFrom(startOnCanvas(builder.images(), corners, params_));
         if (correspondences.empty() && kinds.points)
             builder.findFeatures(keypoints);
         builder.findMatches(kinds, correspondences);
+        builder.keepStraight(lines);
         return builder.align();
     }
 

@@ -123,11 +123,24 @@ void checkKeypoints(const std::vector<KnownKeypoints>& keypoints, int images)
     }
 }
 
+void checkLines(const std::vector<KnownLines>& lines, int images)
+{
+    if (!lines.empty())
+        CV_CheckEQ(static_cast<int>(lines.size()), images, "gcpw: Aligner::align() takes lines for each image, or none");
+    for (size_t i = 0; i < lines.size(); ++i)
+        for (size_t k = 0; k < lines[i].curves.size(); ++k)
+        {
+            CV_CheckGE(lines[i].curves[k].size(), size_t(2), "gcpw: a curve has two points or more");
+            checkFinite(lines[i].curves[k], format("lines[%zu].curves[%zu]", i, k));
+        }
+}
+
 } // namespace
 
 void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Mat>& images, const std::vector<Mat>& masks,
                        const std::vector<Correspondences>& correspondences,
-                       const std::vector<KnownKeypoints>& keypoints, const Params& params)
+                       const std::vector<KnownKeypoints>& keypoints, const std::vector<KnownLines>& lines,
+                       const Params& params)
 {
     checkImages(images, masks, corners.size());
     std::vector<Size> sizes;
@@ -140,6 +153,7 @@ void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Mat>
     checkPeriod(params.canvasPeriod, sizes);
     checkCorrespondences(correspondences, count);
     checkKeypoints(keypoints, count);
+    checkLines(lines, count);
 }
 
 } // namespace gcpw

@@ -15,7 +15,8 @@ namespace gcpw
 @throws cv::Exception that names the value and what it must be */
 void checkAlignerInput(const std::vector<Point>& corners, const std::vector<Mat>& images, const std::vector<Mat>& masks,
                        const std::vector<Correspondences>& correspondences,
-                       const std::vector<KnownKeypoints>& keypoints, const Params& params);
+                       const std::vector<KnownKeypoints>& keypoints, const std::vector<KnownLines>& lines,
+                       const Params& params);
 
 } // namespace gcpw
 } // namespace cv

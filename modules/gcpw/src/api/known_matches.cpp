@@ -56,6 +56,18 @@ Keypoints toWork(const KnownKeypoints& known, const WorkImage& image)
     return result;
 }
 
+std::vector<Curve> toWork(const KnownLines& known, const WorkImage& image)
+{
+    std::vector<Curve> curves;
+    for (const std::vector<Point2f>& points : known.curves)
+    {
+        curves.emplace_back();
+        for (const Point2f& p : points)
+            curves.back().push_back(image.scale.toWork(p));
+    }
+    return curves;
+}
+
 std::vector<PointMatch> toWork(const std::vector<Correspondences>& all, int a, int b,
                                const std::vector<WorkImage>& images)
 {

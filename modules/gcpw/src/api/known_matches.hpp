@@ -6,6 +6,7 @@
 
 #include <vector>
 #include "api/work_image.hpp"
+#include "geometry/curve.hpp"
 #include "geometry/matches.hpp"
 #include "opencv2/gcpw/aligner.hpp"
 #include "opencv2/gcpw/pair_matches.hpp"
@@ -20,6 +21,9 @@ namespace gcpw
 
 /// The keypoints that lie inside the image's mask.
 Keypoints toWork(const KnownKeypoints& known, const WorkImage& image);
+
+/// The curves, in working pixels.
+std::vector<Curve> toWork(const KnownLines& known, const WorkImage& image);
 
 /// The correspondences of images a and b, whichever of the two comes first in them.
 std::vector<PointMatch> toWork(const std::vector<Correspondences>& all, int a, int b,

@@ -60,6 +60,7 @@ Alignment alignPair(InputArray source, InputArray target, const Params& params, 
     params.check();
     ProblemBuilder builder(checkedPair(source, target), std::vector<Mat>(), ScaleRule::EACH, params, progress);
     match(builder, matchesUsedBy(params.method));
+    builder.keepStraight();
     return builder.align();
 }
 
@@ -78,6 +79,7 @@ Alignment alignPair(InputArray source, InputArray target, const PairMatches& mat
     report.timings_ms.total = matches.timings_ms.features + matches.timings_ms.homography;
     builder.startFrom(startOfPair(workHomography(matches, builder.images())));
     builder.setMatches(toWork(matches, matchesUsedBy(params.method), builder.images()));
+    builder.keepStraight();
     return builder.align();
 }
 

@@ -31,8 +31,6 @@ std::vector<Photograph> toPhotographs(const std::vector<Mat>& images, const std:
     return photographs;
 }
 
-const double LEAST_LINE = 0.03; ///< of the diagonal: shorter ones cannot be seen to bend
-
 /// The lattice of every image carried through its homography.
 std::vector<ProblemImage> roughImages(const std::vector<WorkImage>& images, const RoughStart& start,
                                       const Params& params)
@@ -86,16 +84,21 @@ void ProblemBuilder::findFeatures(const std::vector<KnownKeypoints>& known)
     report_.timings_ms.features += millisecondsSince(tick);
 }
 
-void ProblemBuilder::keepStraight()
+void ProblemBuilder::keepStraight(const std::vector<KnownLines>& known)
 {
+    const int64 tick = getTickCount();
     for (size_t i = 0; !failed() && i < problem_.images.size(); ++i)
     {
-        const Size size = images_[i].photograph.image.size();
-        const double min_length = LEAST_LINE * std::hypot(size.width, size.height);
-        problem_.images[i].straight.clear();
-        for (const Segment& line : joinSegments(features_[i].segments, min_length))
-            problem_.images[i].straight.push_back({line.start, line.end});
+        ProblemImage& image = problem_.images[i];
+        if (image.fixed || params_.straightnessWeight == 0)
+            continue;
+        if (!known.empty())
+            image.straight = toWork(known[i], images_[i]);
+        else
+            for (const Segment& line : findStraightLines(images_[i].photograph.image, images_[i].photograph.mask))
+                image.straight.push_back({line.start, line.end});
     }
+    report_.timings_ms.features += millisecondsSince(tick);
 }
 
 void ProblemBuilder::startFromHomography()
@@ -173,7 +176,6 @@ MatchSet ProblemBuilder::verified(const std::vector<Correspondences>& known, con
 Alignment ProblemBuilder::align()
 {
     std::vector<ImageState> states = roughStates(problem_);
-    keepStraight();
     if (!failed())
     {
         const int64 tick = getTickCount();

@@ -42,6 +42,10 @@ public:
     @param known correspondences; if there are any, even for other pairs, they are verified and nothing is looked for */
     void findMatches(MatchKinds kinds, const std::vector<Correspondences>& known = std::vector<Correspondences>());
 
+    /** @brief Part of stage "features": what is to stay straight in each image that moves.
+    @param known one entry for each image; if there is none, line segments are looked for at the working resolution */
+    void keepStraight(const std::vector<KnownLines>& known = std::vector<KnownLines>());
+
     /// Matches of the first pair, taken as verified.
     void setMatches(const MatchSet& matches);
 
@@ -55,7 +59,6 @@ public:
     Report& report() { return report_; } ///< for what was found before; align() adds to its total time
 
 private:
-    void keepStraight();
     bool goOn(const char* stage, double share);
     bool failed() const { return report_.status != Status::OK; }
     MatchSet verified(const std::vector<Correspondences>& known, const ProblemPair& pair) const;

@@ -45,6 +45,19 @@ void direct(Segment& segment, const Mat& gray)
         std::swap(segment.start, segment.end);
 }
 
+std::vector<Vec4f> detect(const Mat& gray, SegmentDetector detector, int shortest)
+{
+    std::vector<Vec4f> found;
+    if (detector == SegmentDetector::LSD)
+        createLineSegmentDetector(LSD_REFINE_STD)->detect(gray, found);
+    else
+        ximgproc::createFastLineDetector(shortest)->detect(gray, found);
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [=](const Vec4f& f) { return std::hypot(f[2] - f[0], f[3] - f[1]) < static_cast<float>(shortest); }),
+                found.end());
+    return found;
+}
+
 /// The pixels around which everything within SIDE is valid; beyond the image's border nothing is asked for.
 Mat withSides(const Mat& mask)
 {
@@ -121,15 +134,15 @@ struct Candidate
 
 } // namespace
 
-std::vector<Segment> detectSegments(const Mat& gray, const Mat& mask, Size2d to_reference, double min_length)
+std::vector<Segment> detectSegments(const Mat& gray, const Mat& mask, Size2d to_reference, double min_length,
+                                    SegmentDetector detector)
 {
     CV_DbgAssert(mask.empty() || (mask.type() == CV_8UC1 && mask.size() == gray.size()));
     const double to_pixels = 1 / std::max(to_reference.width, to_reference.height);
     const int shortest = std::max(cvRound(min_length * to_pixels), 5);
-    const Ptr<ximgproc::FastLineDetector> detector = ximgproc::createFastLineDetector(shortest);
     std::vector<Vec4f> found;
     if (std::min(gray.cols, gray.rows) > 2 * shortest)
-        detector->detect(gray, found);
+        found = detect(gray, detector, shortest);
     const Mat inner = withSides(mask);
     std::vector<Segment> segments;
     for (const Vec4f& f : found)

@@ -13,13 +13,20 @@ namespace cv
 namespace gcpw
 {
 
+enum class SegmentDetector
+{
+    FAST, ///< ximgproc::FastLineDetector: few, long, quick
+    LSD   ///< cv::LineSegmentDetector: hardly misses an edge that the eye sees as straight
+};
+
 /** @brief Straight edges of an image, longest first, all with the brighter side on the same hand.
 
 A segment that leaves the mask is cut to its longest part inside, with the pixels beside it that say what kind of edge it is:
 hidden pixels are made up, and the border of a mask is no edge of the scene.
 @param gray CV_8UC1  @param mask CV_8UC1 of its size, segments only where non-zero; empty means everywhere
 @param to_reference as for detectKeypoints()  @param min_length reference px */
-std::vector<Segment> detectSegments(const Mat& gray, const Mat& mask, Size2d to_reference, double min_length);
+std::vector<Segment> detectSegments(const Mat& gray, const Mat& mask, Size2d to_reference, double min_length,
+                                    SegmentDetector detector = SegmentDetector::FAST);
 
 /// How closely a segment must follow where it is expected to be taken for the target.
 struct SegmentTolerance

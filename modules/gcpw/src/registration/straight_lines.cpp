@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
+#include "registration/segments.hpp"
 
 namespace cv
 {
@@ -14,6 +16,8 @@ namespace gcpw
 namespace
 {
 
+const double LEAST_LINE = 0.03;   ///< of the diagonal: shorter ones are not seen to bend
+const double LEAST_SEGMENT = 12;   ///< px of a piece of a line
 const double MAX_TURN = 0.035;     ///< radians between segments of one line: 2 degrees
 const double MAX_OFFSET = 1.5;     ///< px from the line through both: what detectors leave between pieces of one edge
 const double MAX_GAP = 0.5;        ///< of the length of both together; beyond it two edges may lie on one line by chance
@@ -83,6 +87,14 @@ void sortByLength(std::vector<Segment>& segments)
 }
 
 } // namespace
+
+std::vector<Segment> findStraightLines(const Mat& image, const Mat& mask)
+{
+    Mat gray;
+    cvtColor(image, gray, COLOR_BGR2GRAY);
+    return joinSegments(detectSegments(gray, mask, Size2d(1, 1), LEAST_SEGMENT, SegmentDetector::LSD),
+                        LEAST_LINE * std::hypot(gray.cols, gray.rows));
+}
 
 std::vector<Segment> joinSegments(const std::vector<Segment>& segments, double min_length)
 {

@@ -12,6 +12,10 @@ namespace cv
 namespace gcpw
 {
 
+/** @brief The straight lines of an image that are long enough to be seen to bend, longest first, in its pixels.
+@param image CV_8UC3  @param mask CV_8UC1 of its size, lines only where non-zero; empty means everywhere */
+std::vector<Segment> findStraightLines(const Mat& image, const Mat& mask);
+
 /** @brief The long straight lines that an image shows in pieces: segments on one line are joined, and of lines side by side the
 longest stands for all.
 @param segments reference px, in any direction

@@ -18,6 +18,7 @@ namespace
 {
 
 const int CG_MAX_ITERATIONS = 200;
+int dbg_its;
 
 } // namespace
 
@@ -174,13 +175,14 @@ SolveStatus MeshSystem::solve(MeshStep& step, double tolerance)
     if (std::find(factorized.begin(), factorized.end(), 0) != factorized.end())
         return SolveStatus::NotPositiveDefinite;
     Eigen::VectorXd x = Eigen::VectorXd::Zero(rhs.size());
-    SolveStatus status = SolveStatus::Solved;
+    SolveStatus status = SolveStatus::Solved; dbg_its=0;
     if (isDirect())
         solveEach(rhs, x);
     else
         status = conjugateGradient(
-            rhs, x, [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) { multiply(in, out); }, solveEach, tolerance,
-            CG_MAX_ITERATIONS);
+            rhs, x, [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) { dbg_its++; multiply(in, out); }, solveEach, getenv("TOL")?atof(getenv("TOL")):tolerance,
+            getenv("CGN")?atoi(getenv("CGN")):CG_MAX_ITERATIONS);
+    if (getenv("DBG")) { int r=0; for (auto&g:groups_) r+=g.rank(); fprintf(stderr,"[rank %d its %d]", r, dbg_its); }
     if (status == SolveStatus::NotPositiveDefinite || !x.allFinite())
         return SolveStatus::NotPositiveDefinite;
     step.assign(matrices_.size(), std::vector<Point2d>());

@@ -11,6 +11,7 @@
 #include "rendering/remap_tiled.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/seam_rotation.hpp"
+#include "stitching/warped_lines.hpp"
 #include "stitching/warper_names.hpp"
 #include "opencv2/gcpw/aligner.hpp"
 #include "opencv2/gcpw/rig.hpp"
@@ -47,6 +48,7 @@ struct Canvas
     std::vector<Mat> images;
     std::vector<Mat> masks;
     std::vector<KnownKeypoints> keypoints;
+    std::vector<KnownLines> lines;
     double period = 0;
 };
 
@@ -68,8 +70,8 @@ std::string roiFault(Rect roi, Size image, size_t index)
                   image.width, image.height);
 }
 
-/// Fills canvas, and the rig's sizes and turns.
-std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypoints>& keypoints,
+/// Fills canvas, and the rig's sizes and turns. Lines are looked for at straightness_megapix, if that is not 0.
+std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypoints>& keypoints, double straightness_megapix,
                     cv::detail::RotationWarper& warper, Rig& rig, Canvas& canvas)
 {
     canvas.keypoints = keypoints;
@@ -104,6 +106,8 @@ std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypo
             const Point2f p = warper.warpPoint(keypoints[i].points[k], K, off_seam) - Point2f(corner);
             canvas.keypoints[i].points[k] = std::isfinite(p.x) && std::isfinite(p.y) ? p : Point2f(-MAX_REMAP_SIDE, -MAX_REMAP_SIDE);
         }
+        if (straightness_megapix > 0)
+            canvas.lines.push_back(warpedLines(images[i], warper, K, off_seam, corner, straightness_megapix));
         corner.x += cvRound(seam_rotation_rad * warper.getScale());
         canvas.corners.push_back(corner);
         rig.turns.push_back(seam_rotation_rad);
@@ -153,11 +157,12 @@ std::string alignInto(Rig& rig, const std::vector<Mat>& images, const Ptr<Warper
         return "the cameras have no focal length";
     const Ptr<cv::detail::RotationWarper> warper = trueWarper(base->create(rig.scale));
     Canvas canvas;
-    std::string fault = warpAll(images, keypoints, *warper, rig, canvas);
+    std::string fault = warpAll(images, keypoints, params.straightnessWeight > 0 ? params.workMegapix : 0, *warper, rig, canvas);
     if (!fault.empty())
         return fault;
     rig.alignment = Aligner::create(tuned(params, canvas))->align(canvas.corners, canvas.images, canvas.masks,
-                                                                  std::vector<Correspondences>(), progress, canvas.keypoints);
+                                                                  std::vector<Correspondences>(), progress, canvas.keypoints,
+                                                                  canvas.lines);
     fault = meshFault(rig.alignment);
     if (fault.empty())
         rig.check();

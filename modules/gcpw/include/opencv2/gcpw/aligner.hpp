@@ -30,6 +30,14 @@ struct CV_EXPORTS KnownKeypoints
     Mat descriptors;             //!< points.size() x 128, CV_32F or CV_8U, as cv::SIFT computes them
 };
 
+/// What is straight in the scene, as one image shows it. See Params::straightnessWeight.
+struct CV_EXPORTS KnownLines
+{
+    /// Each the image of one straight edge: two points or more in order, finite, pixels of the image as given. Bent where the
+    /// warp onto the canvas has bent it.
+    std::vector<std::vector<Point2f>> curves;
+};
+
 /** @brief Refines roughly aligned images on a canvas: meshes and colours of all of them in one problem.
 
 Every pair that overlaps adds its terms, so loops close and the order of the images does not matter. The reference image
@@ -60,13 +68,16 @@ public:
     @param correspondences matches known already; if there are any, no others are looked for, also not for other pairs
     @param progress may be empty; cancelling returns the rough alignment with Status::CANCELLED
     @param keypoints one entry for each image, or none; where an entry is empty, they are found here
+    @param lines one entry for each image, or none: then line segments are looked for in the images as they are, which finds long
+    lines in pieces where a warp has bent them
     @return one image for each of those given; where the refinement failed, undeformed meshes and a status other than OK
     @throws cv::Exception before any work, if counts, sizes or types do not fit, a value is not finite, the canvas would exceed
     2^20 px a side or Params::canvasPeriod is narrower than an image */
     virtual Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks,
                             const std::vector<Correspondences>& correspondences = std::vector<Correspondences>(),
                             const Progress& progress = Progress(),
-                            const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>()) = 0;
+                            const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>(),
+                            const std::vector<KnownLines>& lines = std::vector<KnownLines>()) = 0;
 
     /// What create() was given.
     virtual const Params& params() const = 0;
