@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "recording_equations.hpp"
 
+#include <Eigen/QR>
+
 namespace opencv_test
 {
 
@@ -55,6 +57,28 @@ void RecordingEquations::addBlock(QuadId quad, const QuadBlock& block, const Qua
     blocks.push_back(item);
 }
 
+void RecordingEquations::addGroup(int image, const std::vector<GroupRow>& rows, double weight)
+{
+    groups.push_back({image, rows, weight});
+}
+
+Eigen::MatrixXd RecordingEquations::reduced(const Group& group) const
+{
+    const Eigen::Index count = static_cast<Eigen::Index>(group.rows.size());
+    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(count, columns_ + 1);
+    Eigen::MatrixXd own(count, 2);
+    for (Eigen::Index k = 0; k < count; ++k)
+    {
+        const GroupRow& row = group.rows[static_cast<size_t>(k)];
+        for (int i = 0; i < 8; ++i)
+            system(k, meshColumn({group.image, row.cell}, i)) += row.row[i];
+        system(k, columns_) = row.residual;
+        own(k, 0) = row.shared[0];
+        own(k, 1) = row.shared[1];
+    }
+    return system - own * own.completeOrthogonalDecomposition().solve(system);
+}
+
 void RecordingEquations::addPhotometric(QuadId quad, const PhotometricBlock& block)
 {
     blocks.push_back({quad, block});
@@ -82,6 +106,8 @@ double RecordingEquations::energy() const
         sum += row.weight * row.residual * row.residual;
     for (const Block& item : blocks)
         sum += item.block.energy;
+    for (const Group& group : groups)
+        sum += group.weight * reduced(group).col(columns_).squaredNorm();
     return sum;
 }
 
@@ -95,6 +121,11 @@ Eigen::VectorXd RecordingEquations::gradient() const
             if (row.b.image >= 0)
                 g[meshColumn(row.b, k)] += row.weight * row.residual * row.row_b[k];
         }
+    for (const Group& group : groups)
+    {
+        const Eigen::MatrixXd system = reduced(group);
+        g += group.weight * system.leftCols(columns_).transpose() * system.col(columns_);
+    }
     for (const Block& item : blocks)
     {
         for (int k = 0; k < 8; ++k)
@@ -137,6 +168,11 @@ Eigen::MatrixXd RecordingEquations::matrix() const
                 jacobian[meshColumn(row.b, k)] += row.row_b[k];
         }
         m += row.weight * jacobian * jacobian.transpose();
+    }
+    for (const Group& group : groups)
+    {
+        const Eigen::MatrixXd jacobian = reduced(group).leftCols(columns_);
+        m += group.weight * jacobian.transpose() * jacobian;
     }
     for (const Block& item : blocks)
     {

@@ -54,6 +54,13 @@ public:
         cv::gcpw::CrossBlock block;
     };
 
+    struct Group
+    {
+        int image;
+        std::vector<cv::gcpw::GroupRow> rows;
+        double weight;
+    };
+
     explicit RecordingEquations(const std::vector<cv::gcpw::Lattice>& lattices);
 
     void addRow(cv::gcpw::QuadId quad, const cv::gcpw::QuadRow& row, double residual, double weight) override;
@@ -61,12 +68,13 @@ public:
                 double residual, double weight) override;
     void addBlock(cv::gcpw::QuadId quad, const cv::gcpw::QuadBlock& block, const cv::gcpw::QuadRow& gradient,
                   double energy) override;
+    void addGroup(int image, const std::vector<cv::gcpw::GroupRow>& rows, double weight) override;
     void addPhotometric(cv::gcpw::QuadId quad, const cv::gcpw::PhotometricBlock& block) override;
     void addCross(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::CrossBlock& block) override;
     void addColorDifference(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::ColorBlock& block) override;
     void addColorPrior(cv::gcpw::QuadId quad, double weight, const cv::gcpw::ColorGrid::Quad& reference) override;
 
-    bool empty() const { return rows.empty() && blocks.empty() && targets.empty(); }
+    bool empty() const { return rows.empty() && blocks.empty() && targets.empty() && groups.empty(); }
 
     /// Column of coordinate k (0..7) of a quad.
     int meshColumn(cv::gcpw::QuadId quad, int k) const;
@@ -82,11 +90,14 @@ public:
 
     std::vector<Row> rows;
     std::vector<Block> blocks;
+    std::vector<Group> groups;
     std::vector<Target> targets;
     std::vector<Difference> differences; ///< in the values of colours: not part of the dense problem
     std::vector<Prior> priors;           ///< likewise
 
 private:
+    /// Jacobian and, as its last column, residuals of a group, after the least squares over its own unknowns.
+    Eigen::MatrixXd reduced(const Group& group) const;
     void addOwn(cv::gcpw::QuadId quad, const cv::gcpw::QuadBlock& mesh,
                 const std::array<std::array<double, 3>, 3>& color, Eigen::MatrixXd& m) const;
 

@@ -37,6 +37,11 @@ public:
         one_.addBlock(quad, block, gradient, energy);
         other_.addBlock(quad, block, gradient, energy);
     }
+    void addGroup(int image, const std::vector<GroupRow>& rows, double weight) override
+    {
+        one_.addGroup(image, rows, weight);
+        other_.addGroup(image, rows, weight);
+    }
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override
     {
         one_.addPhotometric(quad, block);
@@ -146,6 +151,67 @@ TEST(Gcpw_MeshSystem, tied_images_are_solved_together)
     RecordingEquations loose({FIRST, SECOND});
     accumulateRandomly(loose, false, 2);
     EXPECT_GT((denseStep(loose, false, false) - expected).norm(), 0.1 * expected.norm());
+}
+
+/// Rows of one image that share two unknowns.
+std::vector<GroupRow> randomGroup(RNG& rng, int cells)
+{
+    std::vector<GroupRow> rows(9);
+    for (GroupRow& row : rows)
+    {
+        row.cell = rng.uniform(0, cells);
+        row.row = randomRow(rng);
+        row.residual = rng.uniform(-1.0, 1.0);
+        row.shared = {{1, rng.uniform(-1.0, 1.0)}};
+    }
+    return rows;
+}
+
+TEST(Gcpw_MeshSystem, unknowns_that_a_group_of_rows_shares_are_eliminated_exactly)
+{
+    for (const bool tied : {false, true})
+    {
+        MeshSystem system({FIRST, SECOND}, {false, false});
+        RecordingEquations record({FIRST, SECOND});
+        Both both(system, record);
+        system.addDamping(DAMPING);
+        accumulateRandomly(both, tied, 5);
+        const Eigen::VectorXd before = denseStep(record, false, false);
+        RNG rng = seeded(6);
+        for (int k = 0; k < 6; ++k)
+            both.addGroup(k % 2, randomGroup(rng, k % 2 ? SECOND.cellCount() : FIRST.cellCount()), 20);
+        MeshStep step;
+        ASSERT_EQ(system.solve(step, 1e-8), SolveStatus::Solved);
+        const Eigen::VectorXd expected = denseStep(record, false, false);
+        EXPECT_LT((stacked(step) - expected).norm(), 1e-5 * expected.norm());
+        EXPECT_GT((before - expected).norm(), 0.05 * expected.norm()) << "the groups matter, or this says nothing";
+    }
+}
+
+TEST(Gcpw_MeshSystem, a_group_resists_nothing_that_its_own_unknowns_follow)
+{
+    RNG rng = seeded(7);
+    MeshSystem system({FIRST, SECOND}, {false, false});
+    std::vector<GroupRow> rows = randomGroup(rng, FIRST.cellCount());
+    for (GroupRow& row : rows)
+        row.residual = 3 * row.shared[0] - 5 * row.shared[1];
+    system.addDamping(DAMPING);
+    system.addGroup(0, rows, 1e6);
+    MeshStep step;
+    ASSERT_EQ(system.solve(step), SolveStatus::Solved);
+    EXPECT_LT(stacked(step).norm(), 1e-6);
+}
+
+TEST(Gcpw_MeshSystem, setZero_forgets_groups)
+{
+    RNG rng = seeded(8);
+    MeshSystem system({FIRST, SECOND}, {false, false});
+    system.addGroup(0, randomGroup(rng, FIRST.cellCount()), 10);
+    system.setZero();
+    system.addDamping(DAMPING);
+    MeshStep step;
+    ASSERT_EQ(system.solve(step), SolveStatus::Solved);
+    EXPECT_EQ(stacked(step).norm(), 0);
 }
 
 TEST(Gcpw_MeshSystem, both_sides_of_samples_tie_as_two_sided_rows_do)

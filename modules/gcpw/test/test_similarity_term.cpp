@@ -115,6 +115,42 @@ TEST(Gcpw_SimilarityTerm, jacobian_equals_finite_differences)
     expectGradientIsSlope(accumulate, deformed(), 0, COLUMNS, 1e-3, 1e-7);
 }
 
+TEST(Gcpw_SimilarityTerm, with_a_stretch_limit_the_gradient_is_the_slope)
+{
+    const LinearizeTerm accumulate = accumulateSimilarity(SimilarityTerm(0, rough(), WEIGHT, 0.2));
+    expectGradientIsSlope(accumulate, deformed(), 0, COLUMNS, 1e-4, 1e-6);
+}
+
+TEST(Gcpw_SimilarityTerm, at_the_stretch_limit_the_resistance_has_doubled)
+{
+    const MeshGrid square(Lattice(Size(60, 60), 3, 3));
+    const double limit = 0.1;
+    const auto slopeAt = [&](const SimilarityTerm& term, double stretch)
+    {
+        const auto energy = [&](double s)
+        {
+            return term.evaluate({{affineMesh(square, Matx22d(1 + s / 2, 0, 0, 1 - s / 2), Point2d()), ColorGrid(square.lattice())}});
+        };
+        return (energy(stretch + 1e-4) - energy(stretch - 1e-4)) / 2e-4;
+    };
+    const SimilarityTerm plain(0, square, WEIGHT);
+    const SimilarityTerm limited(0, square, WEIGHT, limit);
+    EXPECT_NEAR(slopeAt(limited, limit) / slopeAt(plain, limit), 2, 0.01);
+    EXPECT_NEAR(slopeAt(limited, 0.01) / slopeAt(plain, 0.01), 1.01, 0.01);
+    EXPECT_NEAR(slopeAt(limited, 0.3) / slopeAt(plain, 0.3), 10, 0.1);
+}
+
+TEST(Gcpw_SimilarityTerm, cells_have_weights_of_their_own)
+{
+    std::vector<double> weights(LATTICE.cellCount(), 1);
+    weights[5] = 3;
+    const double all = SimilarityTerm(0, rough(), WEIGHT).evaluate(deformed().state());
+    const double heavier = SimilarityTerm(0, rough(), WEIGHT, 0, weights).evaluate(deformed().state());
+    weights[5] = 2;
+    EXPECT_NEAR(heavier - all, 2 * (SimilarityTerm(0, rough(), WEIGHT, 0, weights).evaluate(deformed().state()) - all), 1e-9 * all);
+    EXPECT_GT(heavier, all);
+}
+
 TEST(Gcpw_SimilarityTerm, numbers_stay_good_far_from_the_origin)
 {
     SimilarityTerm term(0, rough(), WEIGHT);

@@ -38,6 +38,7 @@ const Field FIELDS[] = {
     {"photometricWeight", nullptr, &Params::photometricWeight, 0, HEAVIEST, true},
     {"geometricWeight", nullptr, &Params::geometricWeight, 0, HEAVIEST, true},
     {"similarityWeight", nullptr, &Params::similarityWeight, 0, HEAVIEST, false},
+    {"stretchLimit", nullptr, &Params::stretchLimit, 0, LARGEST, true},
     {"straightnessWeight", nullptr, &Params::straightnessWeight, 0, HEAVIEST, true},
     {"colorSmoothnessWeight", nullptr, &Params::colorSmoothnessWeight, 0, HEAVIEST, false},
     {"colorRestWeight", nullptr, &Params::colorRestWeight, 0, HEAVIEST, false},
@@ -89,6 +90,7 @@ Params::Params()
     photometricWeight = 100;
     geometricWeight = 1;
     similarityWeight = 0.2;
+    stretchLimit = 0.1;
     straightnessWeight = 5;
     colorSmoothnessWeight = 100;
     colorRestWeight = 1;
@@ -118,6 +120,7 @@ Params Params::paper()
 {
     Params p;
     p.similarityWeight = 0.5;
+    p.stretchLimit = 0;
     p.straightnessWeight = 0;
     p.colorSmoothnessWeight = 1;
     p.sampleStep = 3;

@@ -64,7 +64,7 @@ void addPair(const Problem& problem, size_t k, const Params& params, const Energ
 void addShape(const Problem& problem, int image, const Params& params, Energy& energy)
 {
     const MeshGrid& rough = problem.images[image].rough;
-    energy.add(std::make_unique<SimilarityTerm>(image, rough, params.similarityWeight));
+    energy.add(std::make_unique<SimilarityTerm>(image, rough, params.similarityWeight, params.stretchLimit));
     if (params.straightnessWeight > 0 && !problem.images[image].straight.empty())
         energy.add(std::make_unique<StraightnessTerm>(image, rough, problem.images[image].straight, STRAIGHT_STEP,
                                                       params.straightnessWeight));

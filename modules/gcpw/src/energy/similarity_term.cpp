@@ -69,14 +69,22 @@ QuadBlock similarityBlock(const MeshGrid& rough, int cell)
     return block;
 }
 
-SimilarityTerm::SimilarityTerm(int image, const MeshGrid& rough, double weight) : image_(image)
+SimilarityTerm::SimilarityTerm(int image, const MeshGrid& rough, double weight, double stretch_limit,
+                               const std::vector<double>& cell_weights)
+    : image_(image)
 {
-    for (int cell = 0; cell < rough.lattice().cellCount(); ++cell)
+    const int count = rough.lattice().cellCount();
+    CV_Assert(cell_weights.empty() || static_cast<int>(cell_weights.size()) == count);
+    for (int cell = 0; cell < count; ++cell)
     {
+        const double own = cell_weights.empty() ? weight : weight * cell_weights[cell];
         blocks_.push_back(similarityBlock(rough, cell));
         for (auto& row : blocks_.back())
             for (double& value : row)
-                value *= weight;
+                value *= own;
+        const double area = 0.5 * (rough.cornerArea(cell, 0) + rough.cornerArea(cell, 3));
+        const double unit = own * area * stretch_limit * stretch_limit;
+        growth_.push_back(unit > 0 ? 1 / unit : 0);
     }
 }
 
@@ -85,7 +93,10 @@ double SimilarityTerm::evaluate(const State& state) const
     double total = 0;
     QuadRow ignored;
     for (size_t cell = 0; cell < blocks_.size(); ++cell)
-        total += slope(blocks_[cell], state[image_].mesh, static_cast<int>(cell), ignored);
+    {
+        const double energy = slope(blocks_[cell], state[image_].mesh, static_cast<int>(cell), ignored);
+        total += energy * (1 + 0.5 * growth_[cell] * energy);
+    }
     return total;
 }
 
@@ -97,8 +108,18 @@ double SimilarityTerm::linearize(const State& state, NormalEquations& equations)
         const int cell = static_cast<int>(k);
         QuadRow gradient;
         const double energy = slope(blocks_[k], state[image_].mesh, cell, gradient);
-        equations.addBlock({image_, cell}, blocks_[k], gradient, energy);
-        total += energy;
+        // Of e (1 + c e / 2): the slope grows by 1 + c e, and the curvature by that and the square of the slope.
+        const double growth = growth_[k];
+        const double factor = 1 + growth * energy;
+        QuadBlock block = blocks_[k];
+        for (int i = 0; i < 8; ++i)
+            for (int j = 0; j < 8; ++j)
+                block[i][j] = factor * block[i][j] + 2 * growth * gradient[i] * gradient[j];
+        for (double& value : gradient)
+            value *= factor;
+        const double value = energy * (1 + 0.5 * growth * energy);
+        equations.addBlock({image_, cell}, block, gradient, value);
+        total += value;
     }
     return total;
 }

@@ -17,11 +17,17 @@ namespace gcpw
     E_s = weight * sum_i | V_1 - (V_2 + u (V_3 - V_2) + v R90 (V_3 - V_2)) |^2
 
 Two triangles a quad, v1 v2 v3 and v4 v3 v2; (u, v) are the coordinates of the first vertex in the frame of the other
-two in the *rough* mesh. Quadratic, so each quad's block is made once. Invariant to any similarity of the whole mesh. */
+two in the *rough* mesh. Invariant to any similarity of the whole mesh.
+
+With a stretch limit L (not in the paper) a quad of energy e and area A in the rough mesh counts e (1 + e / (2 A L^2)): a quad that is
+stretched by the factor 1 + L, where e is about A L^2, resists twice as much to more of it, so that parallax is spread over many
+quads rather than shear a few. */
 class SimilarityTerm : public EnergyTerm
 {
 public:
-    SimilarityTerm(int image, const MeshGrid& rough, double weight);
+    /// @param cell_weights further factor of every quad; none: 1  @param stretch_limit L; 0: none
+    SimilarityTerm(int image, const MeshGrid& rough, double weight, double stretch_limit = 0,
+                   const std::vector<double>& cell_weights = std::vector<double>());
 
     const char* name() const override { return "similarity"; }
     double evaluate(const State& state) const override;
@@ -30,6 +36,7 @@ public:
 private:
     int image_;
     std::vector<QuadBlock> blocks_; ///< full, symmetric
+    std::vector<double> growth_;    ///< 1 / (weight A L^2) of every quad; 0 without a limit
 };
 
 /// The block of one quad over its corners, both triangles, weight 1; full, symmetric.
