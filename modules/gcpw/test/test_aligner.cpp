@@ -6,6 +6,7 @@
 #include <algorithm>
 #include "opencv2/gcpw/aligner.hpp"
 #include "registration/pair_matcher.hpp"
+#include "registration/straight_lines.hpp"
 #include "api/result.hpp"
 #include "scene.hpp"
 
@@ -68,6 +69,8 @@ Alignment pairResult(const Mat& source, const Mat& target, Point corner, const P
     problem.pairs.push_back(pair);
     problem.images[0].pyramid = buildPyramid(source, Mat(), params.pyramidLevels);
     problem.images[1].pyramid = buildPyramid(target, Mat(), params.pyramidLevels);
+    for (const Segment& line : findStraightLines(source, Mat()))
+        problem.images[0].straight.push_back({line.start, line.end});
     std::vector<ImageState> states = roughStates(problem);
     Report report;
     refine(problem, params, StepCallback(), states, report);
