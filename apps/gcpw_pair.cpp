@@ -20,7 +20,7 @@ const char* const KEYS =
     "{@target        |           | photograph that keeps its place; its frame is the canvas }"
     "{method         | gcpw      | gcpw, its special cases global, cpw, dfw, mfw, or a rival: apap, lsh_mfw, ros_mfw }"
     "{output         | pano.png  | the panorama }"
-    "{dump           |           | folder for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png }"
+    "{dump           |           | folder for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png and the alignment, model.yml.gz }"
     "{report         |           | JSON file with scores, timings and what happened }"
     "{blend          | multiband | average (the paper's plain mean) or multiband (seam and multi-band blender) }"
     "{render_source  |           | estimate on @source but render this file, which must have its size }"
@@ -188,7 +188,10 @@ int stitch(const Job& job)
     const Score after = scorePair(canvas);
     writeImage(job.output, panorama);
     if (!job.dump.empty())
+    {
         dumpCanvas(job.dump, canvas);
+        alignment.save(job.dump + "/model.yml.gz");
+    }
     if (!job.report.empty())
     {
         const Score before = scorePair(renderPair(alignment.rough(), shown, target));

@@ -5,6 +5,7 @@
 """gcpw_pair: pictures, dump, report, refusals.
 
 Usage: test_gcpw_pair.py PROGRAMS SCRATCH SAMPLES"""
+import gzip
 import json
 
 from harness import NO_ALIGNMENT, main
@@ -17,6 +18,7 @@ LEVEL = {"scale", "iterations", "stop", "energy_start", "energy_end"}
 ENERGY = {"points", "lines", "similarity", "total"}
 ENERGY_TOO = {"photometric", "color_smoothness", "color_prior", "anchors"}
 TIMINGS = {"features", "homography", "align", "render", "total"}
+MODEL = "model.yml.gz"  # Alignment::save()
 QUICK = ("--work_megapix=0.15", "--set=featureMegapix=0.15")
 
 
@@ -41,9 +43,12 @@ def stitches(bench, source, target):
     size = bench.png("pano.png")
     bench.check(size is not None and 1000 < size[0] < 1300 and 600 <= size[1] < 700, f"the panorama is {size}")
     found = {path.name for path in bench.path("dump/deep").iterdir()}
-    bench.check(found == set(DUMP), f"the dump holds {sorted(found)}")
+    bench.check(found == {*DUMP, MODEL}, f"the dump holds {sorted(found)}")
     for name, channels in DUMP.items():
         bench.check(bench.png("dump/deep/" + name) == (*size[:2], channels), f"{name} is {bench.png('dump/deep/' + name)}")
+    model = gzip.decompress(bench.path("dump/deep/" + MODEL).read_bytes()).decode()
+    for key in ("kind: gcpw_alignment", "canvas_scale:", "images:", "work_size:", "mesh:", "rough:"):
+        bench.check(key in model, f"{MODEL} has no {key}")
     report = json.loads(bench.path("report.json").read_text(encoding="utf-8"))
     keys_of_report(bench, report)
     bench.check(report["status"] == "ok" and report["method"] == "gcpw" and report["folds"] == 0, f"the report says {report}")
