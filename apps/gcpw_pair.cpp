@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 //
-// Stitches two overlapping photographs: the source is warped onto the target's frame.
+// Stitches two overlapping photographs: the source is warped onto the target, and both are shown from a view between them.
 #include <iostream>
 #include "common/json.hpp"
 #include "common/program.hpp"
@@ -17,12 +17,13 @@ namespace
 const char* const KEYS =
     "{help h usage ? |           | this text }"
     "{@source        |           | photograph that is warped }"
-    "{@target        |           | photograph that keeps its place; its frame is the canvas }"
+    "{@target        |           | photograph that it is aligned to }"
     "{method         | gcpw      | gcpw, its special cases global, cpw, dfw, mfw, or a rival: apap, lsh_mfw, ros_mfw }"
     "{output         | pano.png  | the panorama }"
     "{dump           |           | folder for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png and the alignment, model.yml.gz }"
     "{report         |           | JSON file with scores, timings and what happened }"
     "{blend          | multiband | average (the paper's plain mean) or multiband (seam and multi-band blender) }"
+    "{view           |           | natural (seen from between both, little stretched) or target (the target keeps its frame and pixels); default natural, with --paper target }"
     "{render_source  |           | estimate on @source but render this file, which must have its size }"
     "{work_megapix   |           | resolution of the estimation, million pixels }"
     "{threads        | -1        | threads to use; -1 leaves it to OpenCV }"
@@ -40,6 +41,7 @@ struct Job
     std::string dump;
     std::string report;
     Blend blend = Blend::MULTIBAND;
+    View view = View::NATURAL;
     Params params;
     const evaluation::PairMethod* method = nullptr;
 };
@@ -59,6 +61,10 @@ Job parse(const cv::CommandLineParser& parser)
     if (blend != "average" && blend != "multiband")
         throw WrongUse("unknown blend '" + blend + "'; there are average, multiband");
     job.blend = blend == "average" ? Blend::AVERAGE : Blend::MULTIBAND;
+    const std::string view = parser.get<std::string>("view");
+    if (!view.empty() && view != "natural" && view != "target")
+        throw WrongUse("unknown view '" + view + "'; there are natural, target");
+    job.view = view == "target" || (view.empty() && parser.has("paper")) ? View::TARGET : View::NATURAL;
     if (parser.has("paper"))
         job.params = Params::paper();
     const std::string method = parser.get<std::string>("method");
@@ -182,10 +188,11 @@ int stitch(const Job& job)
         progress("render", 0);
     cv::TickMeter render;
     render.start();
-    const PairCanvas canvas = renderPair(alignment, shown, target);
+    const PairCanvas canvas = renderPair(alignment, shown, target, job.view);
     const cv::Mat panorama = blendPair(canvas, job.blend);
     render.stop();
-    const Score after = scorePair(canvas);
+    // In the target's frame whatever the view: elsewhere pixels have another size, and the score another meaning.
+    const Score after = scorePair(job.view == View::TARGET ? canvas : renderPair(alignment, shown, target));
     writeImage(job.output, panorama);
     if (!job.dump.empty())
     {

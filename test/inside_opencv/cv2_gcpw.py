@@ -78,6 +78,8 @@ class Pair(unittest.TestCase):
         canvas = cv2.gcpw.renderPair(alignment, source, target)
         self.assertEqual(cv2.gcpw.blendPair(canvas, cv2.gcpw.BLEND_AVERAGE).shape, canvas.source.shape)
         self.assertLess(cv2.gcpw.scorePair(canvas).zncc, 20)
+        natural = cv2.gcpw.renderPair(alignment, source, target, cv2.gcpw.VIEW_NATURAL)
+        self.assertEqual(natural.canvas_from_target.shape, (3, 3))
 
 
     def test_every_value_type_can_be_made(self):

@@ -55,6 +55,22 @@ def stitches(bench, source, target):
     bench.check(report["scores"]["after"]["zncc"] < 0.3 * report["scores"]["before"]["zncc"], f"scores are {report['scores']}")
 
 
+def views(bench, source, target):
+    """Seen from between both or in the target's frame: another picture of another size, the same alignment and the same scores."""
+    for view in ("natural", "target"):
+        bench.run("gcpw_pair", source, target, *QUICK, f"--view={view}", f"--output={view}.png", f"--report={view}.json", f"--dump={view}")
+    bench.run("gcpw_pair", source, target, *QUICK, "--output=default.png")
+    bench.check(bench.same_bytes("default.png", "natural.png"), "the natural view is not the default")
+    bench.check(bench.png("natural.png") != bench.png("target.png"), "both views have one size")
+    natural, in_target = (json.loads(bench.path(view + ".json").read_text(encoding="utf-8")) for view in ("natural", "target"))
+    bench.check(natural["scores"] == in_target["scores"], f"scores are {natural['scores']} and {in_target['scores']}")
+    models = [gzip.decompress(bench.path(f"{view}/{MODEL}").read_bytes()) for view in ("natural", "target")]
+    bench.check(models[0] == models[1], "the alignment depends on the view")
+    bench.run("gcpw_pair", source, target, *QUICK, "--paper", "--output=paper.png", "--dump=paper")
+    bench.run("gcpw_pair", source, target, *QUICK, "--paper", "--view=target", "--output=paper_target.png")
+    bench.check(bench.same_bytes("paper.png", "paper_target.png"), "the paper's view is not the target's frame")
+
+
 def repeats(bench, source, target):
     for threads in (1, 2):
         bench.run("gcpw_pair", source, target, *QUICK, f"--output=threads{threads}.png", f"--threads={threads}")
@@ -93,6 +109,7 @@ def refuses(bench, source, target):
     for arguments, says in (((), "two photographs"), ((source,), "two photographs"), ((source, "missing.png"), "missing.png"),
                             ((source, "text.jpg"), "text.jpg"), ((source, target, "--method=best"), "cpw"),
                             ((source, target, "--blend=hard"), "multiband"), ((source, target, "--colour"), "--colour"),
+                            ((source, target, "--view=middle"), "natural"),
                             ((source, target, "--set=meshCols=1"), "meshCols"), ((source, target, "--set=quads=3"), "quads"),
                             ((source, target, "--set=meshCols"), "name=number"),
                             ((source, target, "--work_megapix=0"), "workMegapix")):
@@ -109,7 +126,7 @@ def test(bench):
     pair = bench.synthetic_pair()
     for photo in pair:
         bench.check(bench.png(photo) == (800, 600, 3), f"{photo} is {bench.png(photo)}")
-    for part in (stitches, repeats, methods, renders_another_source, refuses):
+    for part in (stitches, views, repeats, methods, renders_another_source, refuses):
         part(bench, *pair)
 
 
