@@ -4,6 +4,7 @@
 #include "test_precomp.hpp"
 
 #include <limits>
+#include "log.hpp"
 #include "refusal.hpp"
 #include "rig_scene.hpp"
 
@@ -23,15 +24,25 @@ gcpw::Rig goodRig()
     return rig;
 }
 
-/// Whatever takes a rig refuses it, and keeps the one it has.
+/// Rig::check() names `part`, and whatever takes a rig does without this one and logs why.
 void expectRefused(const gcpw::Rig& rig, const std::string& part)
 {
+    opencv_test::expectRefused([&] { rig.check(); }, part);
+    EXPECT_FALSE(rig.usable()) << part;
     const Ptr<WarperCreator> base = makePtr<cv::SphericalWarper>();
-    opencv_test::expectRefused([&] { gcpw::GcpwWarper(base, rig); }, part);
+    const Mat K = intrinsics(goodRig().cameras[0]);
+    const Mat R = goodRig().cameras[0].R;
+    const Rect expected = base->create(300)->warpRoi(RIG_IMAGE, K, R);
+    const Log log;
+    expectTaken([&] { EXPECT_EQ(gcpw::GcpwWarper(base, rig).create(300)->warpRoi(RIG_IMAGE, K, R), expected); });
+    EXPECT_EQ(log.count(part), 1) << part;
     gcpw::GcpwWarper warper(base, goodRig());
-    opencv_test::expectRefused([&] { warper.setRig(rig); }, part);
-    EXPECT_TRUE(warper.rig().usable());
-    EXPECT_EQ(warper.rig().component, goodRig().component);
+    EXPECT_NE(warper.create(300)->warpRoi(RIG_IMAGE, K, R), expected);
+    expectTaken([&] { warper.setRig(rig); });
+    EXPECT_EQ(log.count(part), 2) << part;
+    EXPECT_EQ(warper.create(300)->warpRoi(RIG_IMAGE, K, R), expected);
+    expectTaken([&] { gcpw::GcpwRotationWarper(base->create(300), rig); });
+    EXPECT_EQ(log.count(part), 3) << part;
 }
 
 TEST(Gcpw_Rig, a_good_rig_and_one_without_a_refinement_are_taken)
