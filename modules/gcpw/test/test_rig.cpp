@@ -114,6 +114,23 @@ TEST(Gcpw_Rig, numbers_that_no_camera_has_are_named)
     }
 }
 
+TEST(Gcpw_Rig, a_mesh_beyond_any_canvas_is_named)
+{
+    for (const double bad : {3e9, -1e300})
+    {
+        gcpw::Rig rig = goodRig();
+        std::vector<gcpw::Alignment::Image> images = {rig.alignment.image(0), rig.alignment.image(1)};
+        images[1].mesh = images[1].mesh.clone();
+        images[1].mesh.at<Vec2d>(2, 3)[1] = bad;
+        rig.alignment = gcpw::Alignment(images, Size2d(1, 1), gcpw::Report());
+        expectRefused(rig, "mesh of image 1");
+    }
+    gcpw::Rig rig = goodRig();
+    const std::vector<gcpw::Alignment::Image> images = {rig.alignment.image(0), rig.alignment.image(1)};
+    rig.alignment = gcpw::Alignment(images, Size2d(1e-300, 1e-300), gcpw::Report());
+    expectRefused(rig, "mesh of image 0");
+}
+
 TEST(Gcpw_Rig, scales_turns_components_and_sizes_out_of_range_are_named)
 {
     gcpw::Rig rig;

@@ -14,6 +14,9 @@ namespace gcpw
 namespace
 {
 
+const double MAX_EXTENT = 1 << 20; ///< px of a mesh on the base warper's canvas; OpenCV can remap 32767 px a side
+const double MAX_PLACE = 1e9;      ///< px from the canvas's origin: corners are int
+
 RigFault positiveFault(const std::string& name, double value)
 {
     if (value > 0 && std::isfinite(value))
@@ -68,6 +71,25 @@ RigFault turnFault(double turn, size_t index)
             format("gcpw: turns[%zu] of a rig is %g; radians of at most one circle are taken", index, turn)};
 }
 
+RigFault placeFault(const Alignment& alignment, int index)
+{
+    const Size2d scale = alignment.canvasScale();
+    Mat xy[2];
+    split(alignment.image(index).mesh, xy);
+    for (int k = 0; k < 2; ++k)
+    {
+        double least = 0;
+        double most = 0;
+        minMaxLoc(xy[k], &least, &most);
+        least /= k == 0 ? scale.width : scale.height;
+        most /= k == 0 ? scale.width : scale.height;
+        if (!(most - least <= MAX_EXTENT && -least <= MAX_PLACE && most <= MAX_PLACE))
+            return {Error::StsOutOfRange, format("gcpw: the mesh of image %d of a rig reaches from %g to %g px, beyond any canvas",
+                                                 index, least, most)};
+    }
+    return {};
+}
+
 /// Of the first entry that has one.
 template <typename Entries, typename EntryFault>
 RigFault firstFault(const Entries& entries, const EntryFault& fault_of)
@@ -99,7 +121,8 @@ RigFault findFault(const Rig& rig)
         countFault("turns", rig.turns.size(), images),
         firstFault(rig.turns, [&](size_t i) { return turnFault(rig.turns[i], i); }),
         positiveFault("scale of a rig", rig.scale),
-        positiveFault("work_scale of a rig", rig.work_scale)};
+        positiveFault("work_scale of a rig", rig.work_scale),
+        firstFault(rig.cameras, [&](size_t i) { return placeFault(rig.alignment, static_cast<int>(i)); })};
     return *std::find_if(std::begin(faults), std::end(faults) - 1, [](const RigFault& fault) { return !fault.message.empty(); });
 }
 

@@ -51,7 +51,8 @@ struct CV_EXPORTS_W_SIMPLE Rig
 
     Called by load(). With status OK and images: as many cameras as images, each with an R of 3 x 3 finite values,
     a finite focal length and aspect > 0 and a finite principal point; `image_sizes`, `component` and `turns` each empty or
-    one for each image: sizes of 1 px or more, indices from 0 on and none twice, turns of at most one circle; finite scales > 0.
+    one for each image: sizes of 1 px or more, indices from 0 on and none twice, turns of at most one circle; finite scales > 0;
+    meshes of at most 2^20 px a side, within 10^9 px of the origin.
     @throws cv::Exception that names the member and its value */
     CV_WRAP void check() const;
 
