@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "test_precomp.hpp"
 
-#include "refusal.hpp"
 #include "rig_scene.hpp"
 
 namespace opencv_test { namespace {
@@ -345,20 +344,6 @@ TEST(Gcpw_Warper, an_image_across_the_seam_is_shown_on_both_sides)
     {
         const Point2f p(static_cast<float>(x), 150);
         EXPECT_LE(cv::norm(warper->warpPointBackward(warper->warpPoint(p, K, cameras[0].R), K, cameras[0].R) - p), 0.01);
-    }
-}
-
-TEST(Gcpw_Warper, an_affine_map_beyond_any_canvas_is_refused_and_not_wrapped_around)
-{
-    const Ptr<cv::detail::RotationWarper> warper = gcpw::GcpwWarper(makePtr<cv::AffineWarper>()).create(1);
-    for (const float shift : {3e9F, -2147483648.F, 1e30F})
-    {
-        cv::detail::CameraParams camera = threeScans()[0];
-        camera.R.at<float>(0, 2) = shift;
-        expectRefused([&] { warper->warpRoi(RIG_IMAGE, intrinsics(camera), camera.R); }, "beyond any canvas");
-        const std::vector<Mat> images(2, Mat(RIG_IMAGE, CV_8UC3, Scalar::all(90)));
-        const gcpw::Rig rig = gcpw::alignRig(images, {camera, threeScans()[0]}, makePtr<cv::AffineWarper>());
-        EXPECT_NE(rig.alignment.report().message.find("beyond any canvas"), std::string::npos) << rig.alignment.report().message;
     }
 }
 
