@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 //
 // Stitches two overlapping photographs: the source is warped onto the target, and both are shown from a view between them.
+#include <algorithm>
 #include <iostream>
 #include "common/json.hpp"
 #include "common/program.hpp"
@@ -46,13 +47,15 @@ struct Job
     const evaluation::PairMethod* method = nullptr;
 };
 
-Job parse(const cv::CommandLineParser& parser)
+Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv)
 {
     Job job;
     job.source = parser.get<std::string>("@source");
     job.target = parser.get<std::string>("@target");
     if (job.source.empty() || job.target.empty())
         throw WrongUse("two photographs are needed: gcpw_pair SOURCE TARGET; --help lists the options");
+    if (std::count_if(argv + 1, argv + argc, [](const char* argument) { return argument[0] != '-'; }) > 2)
+        throw WrongUse("two photographs are stitched: gcpw_pair SOURCE TARGET; gcpw_stitch takes more");
     job.render_source = parser.get<std::string>("render_source");
     job.output = parser.get<std::string>("output");
     job.dump = parser.get<std::string>("dump");
@@ -83,6 +86,10 @@ Job parse(const cv::CommandLineParser& parser)
     if (threads >= 0)
         cv::setNumThreads(threads);
     job.params.check();
+    std::vector<std::string> inputs = {job.source, job.target};
+    if (!job.render_source.empty())
+        inputs.push_back(job.render_source);
+    checkOutputs(inputs, {job.output}, {job.report}, job.dump);
     return job;
 }
 
@@ -230,6 +237,8 @@ int main(int argc, char** argv)
 {
     const std::string about = "Stitches two overlapping photographs with Generalized Content-Preserving Warps.\n"
                               "Exit code: 0 stitched, 1 no alignment found, 2 wrong use.";
-    return runProgram("gcpw_pair", argc, argv, KEYS, about, [](const cv::CommandLineParser& parser)
-                      { return parser.has("synthetic") ? writeSynthetic(parser.get<std::string>("synthetic")) : stitch(parse(parser)); });
+    return runProgram("gcpw_pair", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
+    {
+        return parser.has("synthetic") ? writeSynthetic(parser.get<std::string>("synthetic")) : stitch(parse(parser, argc, argv));
+    });
 }

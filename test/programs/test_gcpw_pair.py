@@ -7,6 +7,7 @@
 Usage: test_gcpw_pair.py PROGRAMS SCRATCH SAMPLES"""
 import gzip
 import json
+import pathlib
 
 from harness import NO_ALIGNMENT, main
 
@@ -122,11 +123,42 @@ def refuses(bench, source, target):
     bench.run("gcpw_pair", "--help", says="--render_source")
 
 
+def keeps_what_it_reads(bench, source, target):
+    other = "photos/../" + target
+    for options, says in (((f"--output={source}",), "overwritten"), ((f"--output={other}",), "overwritten"),
+                          ((f"--report={source}",), "overwritten"), (("--output=a.png", "--report=a.png"), "overwritten"),
+                          (("--dump=photos",), "choose another folder"), (("--output",), "option=NAME"),
+                          (("--output=pano.picture",), "pano.picture"), ((target,), "two photographs")):
+        bench.keeps((source, target), "gcpw_pair", source, target, *options, says=says)
+    bench.path("linked.png").symlink_to(bench.path(source))
+    bench.keeps((source,), "gcpw_pair", source, target, "--output=linked.png", says="overwritten")
+    # A file of the user's that has the name of an unfinished one, and a link, which stays one.
+    bench.path("pano.png.partial0").write_text("mine", encoding="utf-8")
+    bench.path("link.png").symlink_to(bench.path("behind.png"))
+    bench.path("behind.png").write_text("old", encoding="utf-8")
+    bench.run("gcpw_pair", source, target, *QUICK, "--output=link.png")
+    bench.check(bench.path("link.png").is_symlink() and bench.png("behind.png"), "a link is replaced")
+    bench.run("gcpw_pair", source, target, *QUICK, "--output=pano.png", "--report=/dev/stdout", says='"status"')
+    bench.check(bench.path("pano.png.partial0").read_text(encoding="utf-8") == "mine", "a file of the user's is lost")
+    if pathlib.Path("/dev/full").exists():
+        bench.refused("gcpw_pair", source, target, *QUICK, "--output=full.png", "--method=cpw", "--report=/dev/full", says="disk is full",
+                      leaves=("full.png",))
+
+
+def does_not_abort(bench, source, target):
+    """Whatever the standard library throws is a message and an exit code."""
+    bench.refused("gcpw_pair", "n" * 300 + ".jpg", target, says="n.jpg")
+    bench.refused("gcpw_pair", source, target, *QUICK, "--output=" + "n" * 300 + ".png", says="cannot write")
+    loop = bench.path("loop")
+    loop.symlink_to(loop)
+    bench.refused("gcpw_pair", "loop", target, says="loop")
+
+
 def test(bench):
     pair = bench.synthetic_pair()
     for photo in pair:
         bench.check(bench.png(photo) == (800, 600, 3), f"{photo} is {bench.png(photo)}")
-    for part in (stitches, views, repeats, methods, renders_another_source, refuses):
+    for part in (stitches, views, repeats, methods, renders_another_source, refuses, keeps_what_it_reads, does_not_abort):
         part(bench, *pair)
 
 

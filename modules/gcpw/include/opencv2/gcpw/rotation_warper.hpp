@@ -41,8 +41,9 @@ class CV_EXPORTS GcpwRotationWarper : public cv::detail::RotationWarper
 {
 public:
     /** @param base warper at the scale that this one is to have
-    @param rig what to put behind it; one that is not usable() leaves the base warper
-    @throws cv::Exception StsNullPtr if there is no base, or see Rig::check() */
+    @param rig what to put behind it; one that is not usable() leaves the base warper; one that Rig::check()
+    refuses is logged
+    @throws cv::Exception StsNullPtr if there is no base */
     explicit GcpwRotationWarper(const Ptr<cv::detail::RotationWarper>& base, const Rig& rig = Rig());
     ~GcpwRotationWarper() CV_OVERRIDE;
 
