@@ -89,9 +89,9 @@ Params::Params()
     canvasPeriod = 0;
     photometricWeight = 100;
     geometricWeight = 1;
-    similarityWeight = 0.2;
-    stretchLimit = 0.1;
-    straightnessWeight = 5;
+    similarityWeight = 0.12;
+    stretchLimit = 0;
+    straightnessWeight = 4;
     colorSmoothnessWeight = 100;
     colorRestWeight = 1;
     sampleStep = 2;

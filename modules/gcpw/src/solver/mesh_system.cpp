@@ -18,7 +18,6 @@ namespace
 {
 
 const int CG_MAX_ITERATIONS = 200;
-int dbg_its;
 
 } // namespace
 
@@ -175,14 +174,13 @@ SolveStatus MeshSystem::solve(MeshStep& step, double tolerance)
     if (std::find(factorized.begin(), factorized.end(), 0) != factorized.end())
         return SolveStatus::NotPositiveDefinite;
     Eigen::VectorXd x = Eigen::VectorXd::Zero(rhs.size());
-    SolveStatus status = SolveStatus::Solved; dbg_its=0;
+    SolveStatus status = SolveStatus::Solved;
     if (isDirect())
         solveEach(rhs, x);
     else
         status = conjugateGradient(
-            rhs, x, [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) { dbg_its++; multiply(in, out); }, solveEach, getenv("TOL")?atof(getenv("TOL")):tolerance,
-            getenv("CGN")?atoi(getenv("CGN")):CG_MAX_ITERATIONS);
-    if (getenv("DBG")) { int r=0; for (auto&g:groups_) r+=g.rank(); fprintf(stderr,"[rank %d its %d]", r, dbg_its); }
+            rhs, x, [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) { multiply(in, out); }, solveEach, tolerance,
+            CG_MAX_ITERATIONS);
     if (status == SolveStatus::NotPositiveDefinite || !x.allFinite())
         return SolveStatus::NotPositiveDefinite;
     step.assign(matrices_.size(), std::vector<Point2d>());

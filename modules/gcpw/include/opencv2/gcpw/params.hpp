@@ -116,15 +116,15 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// matches. Typical: 0.5..2. default 1
     CV_PROP_RW double geometricWeight;
     /// lambda_3, weight of a squared deviation from a similarity in px^2 (eq. similarityterm), > 0. Larger values keep shapes,
-    /// smaller ones let the mesh bend to the parallax. Typical: 0.1..1; the paper has 0.5. default 0.2
+    /// smaller ones let the mesh bend to the parallax. Typical: 0.1..1; the paper has 0.5. default 0.12
     CV_PROP_RW double similarityWeight;
     /// Stretch of a quad (ratio of its longer to its shorter axis, less 1) at which it resists further stretch twice as much as an
     /// unstretched one, >= 0; not in the paper. Smaller values spread parallax over more quads, larger ones let single quads shear.
-    /// 0: resistance never grows. Typical: 0.05..0.3. default 0.1
+    /// 0: resistance never grows. Typical: 0.05..0.3. default 0
     CV_PROP_RW double stretchLimit;
     /// Weight of a squared bend in px^2 of what is straight in the photographs, at one sample, >= 0; not in the paper. Long line
     /// segments of every image, matched or not, may shift and turn but stay as straight as the rough alignment has them. Larger
-    /// values hold them more strictly. 0: lines bend with the mesh. Typical: 1..20. default 5
+    /// values hold them more strictly. 0: lines bend with the mesh. Typical: 1..20. default 4
     CV_PROP_RW double straightnessWeight;
     /// lambda_4, weight of a squared difference of the colours of adjacent quads (eq. colorterm), > 0. Larger values make the
     /// colour correction smoother; the paper's 1 lets gains collapse in quads without texture. Typical: 10..300. default 100
