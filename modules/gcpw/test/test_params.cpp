@@ -54,8 +54,23 @@ TEST(Gcpw_Params, paper_switches_every_addition_off)
     EXPECT_EQ(p.exposureWeight, 0);
     EXPECT_EQ(p.balanceWeight, 0);
     EXPECT_EQ(p.restWeight, 0);
+    EXPECT_EQ(p.straightnessWeight, 0);
+    EXPECT_EQ(p.stretchLimit, 0);
     EXPECT_EQ(p.stopGain, 0) << "the paper ends when the mesh is stable";
     EXPECT_GE(p.maxIterations, 1000) << "and by nothing else";
+}
+
+TEST(Gcpw_Params, alignment_only_lets_lines_and_shapes_go)
+{
+    Params p = Params::alignmentOnly();
+    EXPECT_EQ(p.straightnessWeight, 0);
+    EXPECT_EQ(p.stretchLimit, 0);
+    const Params defaults;
+    EXPECT_GT(defaults.straightnessWeight, 0);
+    for (const std::string& name : {"straightnessWeight", "stretchLimit", "similarityWeight"})
+        p.set(name, defaults.get(name));
+    for (const std::string& name : Params::names())
+        EXPECT_EQ(p.get(name), defaults.get(name)) << name;
 }
 
 TEST(Gcpw_Params, every_member_is_set_and_read_by_its_name)

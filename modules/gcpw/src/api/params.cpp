@@ -90,7 +90,7 @@ Params::Params()
     photometricWeight = 100;
     geometricWeight = 1;
     similarityWeight = 0.12;
-    stretchLimit = 0;
+    stretchLimit = 0.5;
     straightnessWeight = 4;
     colorSmoothnessWeight = 100;
     colorRestWeight = 1;
@@ -135,6 +135,15 @@ Params Params::paper()
     p.exposureWeight = 0;
     p.balanceWeight = 0;
     p.guidedMatching = 0;
+    return p;
+}
+
+Params Params::alignmentOnly()
+{
+    Params p;
+    p.similarityWeight = 0.2;
+    p.stretchLimit = 0;
+    p.straightnessWeight = 0;
     return p;
 }
 

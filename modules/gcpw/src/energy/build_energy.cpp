@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "energy/build_energy.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include "energy/anchor_term.hpp"
@@ -60,11 +62,24 @@ void addPair(const Problem& problem, size_t k, const Params& params, const Energ
         energy.add(std::make_unique<AnchorTerm>(pair.a, stage.anchors[k].mesh, anchored, params.anchorWeight));
 }
 
+/// How many other images an image overlaps: each pulls at it, so each also brings its share of what keeps its shape.
+int neighbours(const Problem& problem, int image)
+{
+    std::vector<int> others;
+    for (const ProblemPair& pair : problem.pairs)
+        if (pair.a == image || pair.b == image)
+            others.push_back(pair.a == image ? pair.b : pair.a);
+    std::sort(others.begin(), others.end());
+    return static_cast<int>(std::unique(others.begin(), others.end()) - others.begin());
+}
+
 /// The terms that keep the shape of an image.
 void addShape(const Problem& problem, int image, const Params& params, Energy& energy)
 {
     const MeshGrid& rough = problem.images[image].rough;
-    energy.add(std::make_unique<SimilarityTerm>(image, rough, params.similarityWeight, params.stretchLimit));
+    // Of many images each neighbour pulls, so each brings its share of similarity; then stretch has to matter sooner, too.
+    const double pulls = std::max(neighbours(problem, image), 1);
+    energy.add(std::make_unique<SimilarityTerm>(image, rough, params.similarityWeight * pulls, params.stretchLimit / std::sqrt(pulls)));
     if (params.straightnessWeight > 0 && !problem.images[image].straight.empty())
         energy.add(std::make_unique<StraightnessTerm>(image, rough, problem.images[image].straight, STRAIGHT_STEP,
                                                       params.straightnessWeight));

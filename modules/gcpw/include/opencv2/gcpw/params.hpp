@@ -59,6 +59,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     result is compared with the rough alignment. */
     CV_WRAP static Params paper();
 
+    /** @brief The weights for the closest alignment of the overlap, whatever it does to lines and shapes.
+
+    straightnessWeight and stretchLimit are 0, similarityWeight is 0.2; everything else as by default. */
+    CV_WRAP static Params alignmentOnly();
+
     /** @brief Looks at all members; called by every function that takes Params.
     @throws cv::Exception StsOutOfRange that names the first member out of its range, its value and the range */
     CV_WRAP void check() const;
@@ -115,12 +120,14 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// lambda_2, weight of a squared distance of matches in px^2 (eq. geometerm), >= 0. Larger values hold the mesh to the
     /// matches. Typical: 0.5..2. default 1
     CV_PROP_RW double geometricWeight;
-    /// lambda_3, weight of a squared deviation from a similarity in px^2 (eq. similarityterm), > 0. Larger values keep shapes,
+    /// lambda_3, weight of a squared deviation from a similarity in px^2 (eq. similarityterm), > 0; of several images for each other
+    /// image that one overlaps, as each of them pulls at it. Larger values keep shapes,
     /// smaller ones let the mesh bend to the parallax. Typical: 0.1..1; the paper has 0.5. default 0.12
     CV_PROP_RW double similarityWeight;
     /// Stretch of a quad (ratio of its longer to its shorter axis, less 1) at which it resists further stretch twice as much as an
-    /// unstretched one, >= 0; not in the paper. Smaller values spread parallax over more quads, larger ones let single quads shear.
-    /// 0: resistance never grows. Typical: 0.05..0.3. default 0
+    /// unstretched one, >= 0; not in the paper. Of several images it is divided by the root of how many others one overlaps. Smaller
+    /// values spread parallax over more quads, larger ones let single quads shear. 0: resistance never grows. Typical: 0.1..1.
+    /// default 0.5
     CV_PROP_RW double stretchLimit;
     /// Weight of a squared bend in px^2 of what is straight in the photographs, at one sample, >= 0; not in the paper. Long line
     /// segments of every image, matched or not, may shift and turn but stay as straight as the rough alignment has them. Larger
