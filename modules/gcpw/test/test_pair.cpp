@@ -13,9 +13,10 @@ using namespace cv::gcpw;
 const double BOUND = 0.1;        // px, mean over the overlap
 const double NOISY_BOUND = 0.25; // px, at two gray levels of noise
 
+/// The scenes' bars are bent in one of their images: that straight lines are straight is not their truth.
 Params with(Method method)
 {
-    Params params;
+    Params params = Params::alignmentOnly();
     params.method = method;
     return params;
 }
