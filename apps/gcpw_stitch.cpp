@@ -5,6 +5,9 @@
 // Stitches any number of photographs with cv::Stitcher, plain or with GCPW inside.
 #include <algorithm>
 #include <iostream>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <opencv2/gcpw/stitcher.hpp>
 #include "common/json.hpp"
 #include "common/program.hpp"
@@ -223,6 +226,14 @@ cv::Ptr<StitcherBinding> attachTo(const cv::Ptr<cv::Stitcher>& stitcher, const J
     return job.gcpw ? attach(stitcher, job.params, terminalProgress()) : cv::Ptr<StitcherBinding>();
 }
 
+/// Gives memory that features and matches have left behind back to the system, where the allocator keeps it.
+void releaseFreedMemory()
+{
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
 /// Takes the cameras of a saved rig.
 void useModel(const Job& job, const std::vector<cv::Mat>& images, cv::Ptr<cv::Stitcher>& stitcher, cv::Ptr<StitcherBinding>& binding,
               Outcome& outcome)
@@ -246,6 +257,7 @@ void findCameras(const Job& job, const std::vector<cv::Mat>& images, cv::Ptr<cv:
                  cv::Ptr<StitcherBinding>& binding, Outcome& outcome)
 {
     const CameraEstimate estimate = estimateCameras(images, cameraOptions(job.setup));
+    releaseFreedMemory();
     outcome.decisions = estimate.decisions;
     stitcher = makeStitcher(job.setup);
     if (!estimate.ok())
@@ -302,6 +314,7 @@ int stitch(const Job& job)
     cv::Ptr<StitcherBinding> binding;
     Outcome outcome;
     prepare(job, images, stitcher, binding, outcome);
+    releaseFreedMemory();
     stages.cameras = lap();
     cv::Mat panorama;
     if (outcome.status == cv::Stitcher::OK)

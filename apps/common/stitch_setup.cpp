@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 #include "common/program.hpp"
+#include "common/tiled_blender.hpp"
 
 namespace
 {
@@ -92,7 +93,7 @@ cv::Ptr<detail::Blender> blenderOf(const std::string& name)
     return choose<B>("blend", name,
                      {{"no", [] { return B::createDefault(B::NO); }},
                       {"feather", [] { return B::createDefault(B::FEATHER); }},
-                      {"multiband", [] { return B::createDefault(B::MULTI_BAND); }}});
+                      {"multiband", make<B, TiledBlender>()}});
 }
 
 cv::Ptr<detail::ExposureCompensator> compensatorOf(const std::string& name)

@@ -48,13 +48,21 @@ void extendOutside(Mat& image, const Mat& mask)
         return;
     image.setTo(Scalar::all(0), outside);
     const Size coarse((image.cols + COARSE - 1) / COARSE, (image.rows + COARSE - 1) / COARSE);
+    // Channel by channel: floats of a whole picture are twelve bytes a pixel.
     Mat wide;
+    std::vector<Mat> channels(image.channels());
+    for (int k = 0; k < image.channels(); ++k)
+    {
+        extractChannel(image, channels[k], k);
+        channels[k].convertTo(wide, CV_32F);
+        resize(wide, channels[k], coarse, 0, 0, INTER_AREA);
+    }
     Mat covered_colors;
-    image.convertTo(wide, CV_32F);
-    resize(wide, covered_colors, coarse, 0, 0, INTER_AREA);
+    merge(channels, covered_colors);
     Mat coverage;
     Mat(outside == 0).convertTo(wide, CV_32F, 1 / 255.0);
     resize(wide, coverage, coarse, 0, 0, INTER_AREA);
+    wide.release();
     Mat result;
     filled(covered_colors, coverage).convertTo(result, image.depth());
     resize(result, result, image.size(), 0, 0, INTER_LINEAR);
