@@ -295,6 +295,26 @@ void prepare(const Job& job, const std::vector<cv::Mat>& images, cv::Ptr<cv::Sti
         outcome.kept = stitcher->component();
 }
 
+/** Turns a column's picture, which comes out turned to the left by 90 degrees, back.
+
+Cameras store photographs lying and note the turn of those that were taken upright. A note that lays photographs on their side that were stored
+upright is a stale one, as programs leave it that turn the pixels and forget the note: where such photographs stand in a column,
+it is undone. */
+void standUp(const Job& job, cv::Mat& panorama, Outcome& outcome)
+{
+    const cv::Size photograph = readImage(job.paths[0]).size();
+    const int noted = photograph.width > photograph.height ? notedTurn(job.paths[0]) : 0;
+    if (noted != 0)
+        outcome.decisions.push_back("the picture does without the turn that is noted in the photographs: it lays on their side what was "
+                                    "stored upright, and they stand in a column");
+    // Turned to the right once, and to the left as often as the note did to the right.
+    const int turns = (1 - noted + 4) % 4;
+    if (turns == 1)
+        cv::rotate(panorama, panorama, cv::ROTATE_90_CLOCKWISE);
+    if (turns == 2)
+        cv::rotate(panorama, panorama, cv::ROTATE_180);
+}
+
 int stitch(const Job& job)
 {
     Stages stages;
@@ -320,7 +340,7 @@ int stitch(const Job& job)
     if (outcome.status == cv::Stitcher::OK)
         outcome.status = stitcher->composePanorama(panorama);
     if (outcome.turned && !panorama.empty())
-        cv::rotate(panorama, panorama, cv::ROTATE_90_CLOCKWISE);
+        standUp(job, panorama, outcome);
     stages.compose = lap();
     endProgress();
     if (outcome.reason.empty())

@@ -34,6 +34,10 @@ cv::Mat readImage(const std::string& path);
 /// The same as 8-bit BGR, which is all that cv::Stitcher takes.
 cv::Mat readBgr(const std::string& path);
 
+/// Quarter turns to the right by which the orientation that a camera noted turns a photograph when it is read: 0, 1 or 3, and 0
+/// for half a turn.
+int notedTurn(const std::string& path);
+
 /// Writes an image under a temporary name first, so that no half-written file is ever left. Throws WrongUse.
 void writeImage(const std::string& path, const cv::Mat& image);
 

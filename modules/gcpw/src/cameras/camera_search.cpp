@@ -78,7 +78,7 @@ Attempt attempt(const LinkedImages& images, double confidence, CameraModel model
     {
         const Ptr<cv::detail::RotationWarper> warper = make(AFFINE, scale);
         result.projection.name = AFFINE;
-        result.projection.picture = shapeOfPicture(result.cameras, sizes, *warper);
+        result.projection.picture = shapeOfPicture(result.cameras, sizes, *warper, 0);
         result.miss = missOf(result.cameras, links, sizes, *warper, 0);
     }
     else

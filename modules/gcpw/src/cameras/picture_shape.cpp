@@ -46,12 +46,19 @@ std::string cameraFault(const std::vector<cv::detail::CameraParams>& cameras, co
     return largest <= MAX_FOCALS * smallest ? std::string() : format("focal lengths differ by %.2g", largest / smallest);
 }
 
-/// Singular values of the warp's derivative at a point of the image, rising; false where it has none (a seam, behind the camera).
-bool enlargement(cv::detail::RotationWarper& warper, const Mat& K, const Mat& R, Point2f p, Vec2d& values)
+/// Singular values of the warp's derivative at a point of the image, rising; false where it has none (behind the camera).
+bool enlargement(cv::detail::RotationWarper& warper, const Mat& K, const Mat& R, Point2f p, double period, Vec2d& values)
 {
-    const Point2f at = warper.warpPoint(p, K, R);
-    const Point2f right = warper.warpPoint(p + Point2f(static_cast<float>(STEP_PX), 0), K, R) - at;
-    const Point2f below = warper.warpPoint(p + Point2f(0, static_cast<float>(STEP_PX)), K, R) - at;
+    const Point2d at = warper.warpPoint(p, K, R);
+    const auto step = [&](double x, double y)
+    {
+        Point2d moved = Point2d(warper.warpPoint(p + Point2f(Point2d(x, y)), K, R)) - at;
+        if (period > 0)
+            moved.x -= period * std::round(moved.x / period);
+        return moved;
+    };
+    const Point2d right = step(STEP_PX, 0);
+    const Point2d below = step(0, STEP_PX);
     const Matx22d derivative(right.x / STEP_PX, below.x / STEP_PX, right.y / STEP_PX, below.y / STEP_PX);
     const double square = 0.5 * norm(derivative, NORM_L2SQR);
     const double det = std::abs(determinant(derivative));
@@ -83,7 +90,7 @@ float pictureScale(const std::vector<cv::detail::CameraParams>& cameras)
 }
 
 PictureShape shapeOfPicture(const std::vector<cv::detail::CameraParams>& cameras, const std::vector<Size>& sizes,
-                            cv::detail::RotationWarper& warper)
+                            cv::detail::RotationWarper& warper, double period)
 {
     PictureShape shape;
     shape.fault = cameraFault(cameras, sizes);
@@ -93,7 +100,6 @@ PictureShape shapeOfPicture(const std::vector<cv::detail::CameraParams>& cameras
     Point2d low(1e18, 1e18);
     Point2d high = -low;
     shape.shrink = 1e18;
-    const double seam = CV_PI * warper.getScale();
     for (size_t i = 0; i < cameras.size(); ++i)
     {
         Mat K;
@@ -106,7 +112,7 @@ PictureShape shapeOfPicture(const std::vector<cv::detail::CameraParams>& cameras
                 const Point2f p(static_cast<float>(col * (sizes[i].width - STEP_PX) / GRID),
                                 static_cast<float>(row * (sizes[i].height - STEP_PX) / GRID));
                 Vec2d values;
-                if (!enlargement(warper, K, R, p, values))
+                if (!enlargement(warper, K, R, p, period, values))
                 {
                     shape.fault = format("image %zu has no place in the picture", i);
                     return shape;
@@ -114,9 +120,6 @@ PictureShape shapeOfPicture(const std::vector<cv::detail::CameraParams>& cameras
                 const Point2d at = warper.warpPoint(p, K, R);
                 low = Point2d(std::min(low.x, at.x), std::min(low.y, at.y));
                 high = Point2d(std::max(high.x, at.x), std::max(high.y, at.y));
-                // Across the seam of a circle neighbours lie a whole turn apart.
-                if (values[1] * STEP_PX > seam)
-                    continue;
                 shape.stretch = std::max(shape.stretch, values[1]);
                 shape.shrink = std::min(shape.shrink, values[0]);
             }

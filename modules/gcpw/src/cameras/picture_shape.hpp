@@ -29,9 +29,10 @@ struct PictureShape
 float pictureScale(const std::vector<cv::detail::CameraParams>& cameras);
 
 /** @brief Measures the picture.
-@param warper of pictureScale() */
+@param warper of pictureScale()
+@param period of the canvas in x, 0 if it does not repeat: an image across its seam is no larger for that */
 PictureShape shapeOfPicture(const std::vector<cv::detail::CameraParams>& cameras, const std::vector<Size>& sizes,
-                            cv::detail::RotationWarper& warper);
+                            cv::detail::RotationWarper& warper, double period);
 
 /** @brief Median distance in pixels of the photographs between where a warper shows the two points of a match, for each link.
 @param period of the canvas in x, 0 if it does not repeat */

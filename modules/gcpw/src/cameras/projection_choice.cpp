@@ -79,7 +79,9 @@ ProjectionChoice chooseProjection(const std::vector<cv::detail::CameraParams>& c
         choice.turned = trial.turned;
         choice.straight = norm(trial.world - centre) > 1e-9 || set_shape == SetShape::SPOT;
         choice.set_shape = set_shape;
-        choice.picture = shapeOfPicture(inWorld(trial.world, cameras), sizes, *make(trial.projection, scale));
+        // Projections without a seam have no two neighbours that far apart.
+        choice.picture = shapeOfPicture(inWorld(trial.world, cameras), sizes, *make(trial.projection, scale),
+                                        choice.name == PLANE ? 0 : 2 * CV_PI * scale);
         const bool sound = choice.picture.fault.empty();
         if (sound && choice.picture.stretch <= trial.limit)
             return choice;
