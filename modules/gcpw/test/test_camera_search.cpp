@@ -83,6 +83,17 @@ TEST(Gcpw_CameraSearch, photographs_of_a_plane_far_apart_are_laid_beside_each_ot
     EXPECT_LT(shape.area, 1);
 }
 
+TEST(Gcpw_CameraSearch, photographs_of_a_plane_are_not_bent_onto_a_sphere)
+{
+    // Near enough to each other that turning cameras fit them somehow.
+    const std::vector<gcpw::Link> links = linksBy(4, [](int a, int b) { return Matx33d(1, 0, -250.0 * (b - a), 0, 1, 0, 0, 0, 1); });
+    const CameraChoice choice = found(linkedBy(4, links));
+    ASSERT_EQ(choice.cameras.size(), size_t(4));
+    const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::pictureScale(choice.cameras));
+    for (const double miss : gcpw::missesOf(choice.cameras, links, *warper, 0))
+        EXPECT_LT(miss, 0.004 * SHOT.width);
+}
+
 TEST(Gcpw_CameraSearch, an_image_without_links_is_left_out)
 {
     const CameraChoice choice = found(linkedBy(5, linksOfTurning(strip(), 600)));

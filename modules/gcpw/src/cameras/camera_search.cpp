@@ -16,8 +16,9 @@ namespace
 
 const char* const AFFINE = "affine";
 const char* const SPHERE = "spherical";
-const double MAX_MISS = 0.02;    ///< of an image's longer side: what a mesh still bends away without being seen
-const double MUCH_NEARER = 0.6;  ///< a model with less freedom must be that much nearer than one that misses too much
+const double ACCURATE = 0.004; ///< of an image's longer side: as near as cameras held by hand come; no other model is tried then
+const double NEARER = 0.75;    ///< a later model must be that much nearer: then it is the truer one, as it has less freedom
+const double MAX_MISS = 0.1;   ///< beyond it links contradict each other, and no mesh brings together what belongs together
 const double STRICTER[] = {1, 1.5, 2, 3}; ///< times the confidence asked for, where no model is sound
 
 /// One model, fitted and judged.
@@ -89,6 +90,8 @@ Attempt attempt(const LinkedImages& images, double confidence, CameraModel model
         result.miss = missOf(result.cameras, links, sizes, *make(SPHERE, scale), 2 * CV_PI * scale);
     }
     result.fault = result.projection.picture.fault;
+    if (result.fault.empty() && !(result.miss <= MAX_MISS))
+        result.fault = format("matched points lie %.0f %% of an image's side apart", 100 * result.miss);
     return result;
 }
 
@@ -117,7 +120,7 @@ int bestOf(const std::vector<Attempt>& attempts)
     {
         if (!attempts[i].fault.empty())
             continue;
-        if (best < 0 || (attempts[best].miss > MAX_MISS && attempts[i].miss < MUCH_NEARER * attempts[best].miss))
+        if (best < 0 || attempts[i].miss < NEARER * attempts[best].miss)
             best = i;
     }
     return best;
@@ -150,7 +153,7 @@ CameraChoice searchCameras(const LinkedImages& images, double confidence, const 
             if (forced.empty() || (forced == AFFINE) == (model == CameraModel::FLAT))
             {
                 attempts.push_back(attempt(part, stricter * confidence, model, make, forced));
-                if (attempts.back().fault.empty() && attempts.back().miss <= MAX_MISS)
+                if (attempts.back().fault.empty() && attempts.back().miss <= ACCURATE)
                     break;
             }
         }
@@ -159,7 +162,7 @@ CameraChoice searchCameras(const LinkedImages& images, double confidence, const 
             if (!attempts[i].fault.empty())
                 choice.decisions.push_back(nameOf(attempts[i].model) + " were not taken: " + attempts[i].fault);
             else if (i != best)
-                choice.decisions.push_back(nameOf(attempts[i].model) + format(" were not taken: matched points lie %.1f %% of an image's side apart", 100 * attempts[i].miss));
+                choice.decisions.push_back(nameOf(attempts[i].model) + format(" were not taken: matched points lie %.2f %% of an image's side apart", 100 * attempts[i].miss));
         if (best >= 0)
         {
             take(attempts[best], choice);

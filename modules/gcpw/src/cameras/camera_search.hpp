@@ -26,8 +26,8 @@ struct CameraChoice
 };
 
 /** @brief Tries camera models in their order and takes the first that makes a picture of sound proportions and shows matched points
-together; if no model does both, the sound one that shows them nearest to each other. If none is sound, links must be more
-certain, and with them images may be left out.
+together; where it does not quite do that, a later model if it shows them clearly nearer to each other. If none is sound, links must
+be more certain, and with them images may be left out.
 @param confidence of a link  @param forced projection of turning cameras, or empty; "affine" tries flat photographs only */
 CameraChoice searchCameras(const LinkedImages& images, double confidence, const WarperMaker& make, const std::string& forced);
 
