@@ -60,7 +60,8 @@ void TiledBlender::blendTile(cv::Rect outer, cv::Mat& picture, cv::Mat& mask) co
 
 void TiledBlender::blend(cv::InputOutputArray picture, cv::InputOutputArray mask)
 {
-    picture.create(roi_.size(), CV_16SC3);
+    // cv::Stitcher makes 8 bits of whatever it is given.
+    picture.create(roi_.size(), CV_8UC3);
     mask.create(roi_.size(), CV_8UC1);
     cv::Mat whole = picture.getMat();
     cv::Mat whole_mask = mask.getMat();
@@ -72,7 +73,8 @@ void TiledBlender::blend(cv::InputOutputArray picture, cv::InputOutputArray mask
             cv::Mat blended;
             cv::Mat blended_mask;
             blendTile(outer, blended, blended_mask);
-            blended(tile - outer.tl()).copyTo(whole(tile - roi_.tl()));
+            cv::Mat place = whole(tile - roi_.tl());
+            blended(tile - outer.tl()).convertTo(place, CV_8U);
             blended_mask(tile - outer.tl()).copyTo(whole_mask(tile - roi_.tl()));
         }
     parts_.clear();
