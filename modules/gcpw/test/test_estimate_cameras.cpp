@@ -118,6 +118,8 @@ TEST(Gcpw_EstimateCameras, almost_equal_photographs_belong_together)
     // OpenCV's matcher gives such a pair the confidence 0 and a stitcher says that it needs more images.
     const CameraEstimate estimate = gcpw::estimateCameras(photographsOf({cameraAt(0), cameraAt(0.03)}));
     EXPECT_EQ(estimate.component, (std::vector<int>{0, 1}));
+    for (const std::string& decision : estimate.decisions)
+        EXPECT_EQ(decision.find("few of their keypoints"), std::string::npos) << "all of them match";
 }
 
 TEST(Gcpw_EstimateCameras, its_cameras_and_rig_are_those_of_a_stitcher_with_such_a_transform)
@@ -167,6 +169,24 @@ TEST(Gcpw_LinkCheck, an_overlap_looks_the_same_under_the_true_homography_only)
     EXPECT_FALSE(gcpw::showTheSame(image_a, image_b, Matx33d(1, 0, -60, 0, 1, 25, 0, 0, 1), inliers)) << "a wrong homography";
     EXPECT_FALSE(gcpw::showTheSame(image_a, image_b, b_from_a, std::vector<Point2f>(5, Point2f(250, 150)))) << "too few matches";
     EXPECT_FALSE(gcpw::showTheSame(image_a, image_b, Matx33d(-1, 0, 400, 0, 1, 0, 0, 0, 1), inliers)) << "mirrored";
+}
+
+TEST(Gcpw_LinkCheck, links_that_the_pictures_confirm_join_groups_and_close_rings)
+{
+    // The last photograph is of another place.
+    std::vector<Mat> images = photographsOf({cameraAt(-0.3), cameraAt(0), cameraAt(0.3)});
+    images.push_back(photographOf(cameraAt(0), 0, 0, 99));
+    gcpw::LinkedImages linked;
+    cv::detail::computeImageFeatures(SIFT::create(1000), images, linked.features);
+    cv::detail::BestOf2NearestMatcher matcher(false, 0.1F);
+    matcher(linked.features, linked.matches);
+    for (cv::detail::MatchesInfo& info : linked.matches)
+        info.confidence = std::min(info.confidence, 0.5);
+    EXPECT_EQ(gcpw::groupsOf(linked, 1), (std::vector<int>{0, 1, 2, 3}));
+    const std::vector<Vec2i> joined = gcpw::confirmLinks(linked, images, 1);
+    EXPECT_EQ(joined, (std::vector<Vec2i>{Vec2i(0, 1), Vec2i(0, 2), Vec2i(1, 2)}));
+    EXPECT_EQ(gcpw::groupsOf(linked, 1), (std::vector<int>{0, 0, 0, 1}));
+    EXPECT_EQ(gcpw::largestGroup(gcpw::groupsOf(linked, 1)), (std::vector<int>{0, 1, 2}));
 }
 
 } // namespace
