@@ -9,9 +9,10 @@
 namespace
 {
 
-const int BANDS = 5;             ///< OpenCV's own
-const int TILE = 1024;           ///< px; a multiple of the coarsest band's pixel, so that its grid is the same in all tiles
-const int MARGIN = 8 << BANDS;   ///< px: a pixel of the coarsest band comes of 4 of its own to each side, and its weight too
+const int BANDS = 5;   ///< OpenCV's own
+const int TILE = 1024; ///< px; a multiple of the coarsest band's pixel, so that its grid is the same in all tiles
+const int MARGIN =
+    8 << BANDS; ///< px: a pixel of the coarsest band comes of 4 of its own to each side, and its weight too
 
 cv::Rect grown(cv::Rect rect, int margin)
 {

@@ -4,8 +4,8 @@
 #ifndef GCPW_APPS_TILED_BLENDER_HPP
 #define GCPW_APPS_TILED_BLENDER_HPP
 
-#include <opencv2/stitching/detail/blenders.hpp>
 #include <vector>
+#include <opencv2/stitching/detail/blenders.hpp>
 
 /** @brief cv::detail::MultiBandBlender tile by tile, with a fraction of its memory.
 

@@ -92,7 +92,8 @@ inline gcpw::LinkedImages linkedBy(size_t count, const std::vector<gcpw::Link>& 
         images.features[i].img_idx = static_cast<int>(i);
         images.features[i].img_size = SHOT;
     }
-    const auto add = [&](const gcpw::Link& link, int a, int b, const std::vector<Point2f>& in_a, const std::vector<Point2f>& in_b)
+    const auto add =
+        [&](const gcpw::Link& link, int a, int b, const std::vector<Point2f>& in_a, const std::vector<Point2f>& in_b)
     {
         cv::detail::MatchesInfo& info = images.between(a, b);
         info.src_img_idx = a;

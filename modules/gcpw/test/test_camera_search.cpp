@@ -3,11 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "test_precomp.hpp"
 
+#include "camera_scene.hpp"
 #include "cameras/camera_search.hpp"
+#include "seeded.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/warper_names.hpp"
-#include "camera_scene.hpp"
-#include "seeded.hpp"
 
 namespace opencv_test
 {
@@ -74,7 +74,8 @@ TEST(Gcpw_CameraSearch, where_single_focal_lengths_explode_all_get_one)
 TEST(Gcpw_CameraSearch, photographs_of_a_plane_far_apart_are_laid_beside_each_other)
 {
     // A camera that moves along a wall: as a turning one it would see more than a circle.
-    const std::vector<gcpw::Link> links = linksBy(12, [](int a, int b) { return Matx33d(1, 0, -400.0 * (b - a), 0, 1, 0, 0, 0, 1); });
+    const std::vector<gcpw::Link> links =
+        linksBy(12, [](int a, int b) { return Matx33d(1, 0, -400.0 * (b - a), 0, 1, 0, 0, 0, 1); });
     const CameraChoice choice = found(linkedBy(12, links));
     ASSERT_EQ(choice.cameras.size(), size_t(12));
     const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::pictureScale(choice.cameras));
@@ -86,7 +87,8 @@ TEST(Gcpw_CameraSearch, photographs_of_a_plane_far_apart_are_laid_beside_each_ot
 TEST(Gcpw_CameraSearch, photographs_of_a_plane_are_not_bent_onto_a_sphere)
 {
     // Near enough to each other that turning cameras fit them somehow.
-    const std::vector<gcpw::Link> links = linksBy(4, [](int a, int b) { return Matx33d(1, 0, -250.0 * (b - a), 0, 1, 0, 0, 0, 1); });
+    const std::vector<gcpw::Link> links =
+        linksBy(4, [](int a, int b) { return Matx33d(1, 0, -250.0 * (b - a), 0, 1, 0, 0, 0, 1); });
     const CameraChoice choice = found(linkedBy(4, links));
     ASSERT_EQ(choice.cameras.size(), size_t(4));
     const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::pictureScale(choice.cameras));
@@ -113,14 +115,18 @@ TEST(Gcpw_CameraSearch, images_without_any_link_have_no_cameras_and_a_reason)
 TEST(Gcpw_CameraSearch, links_that_contradict_each_other_make_no_absurd_picture)
 {
     // Each link zooms by two: around the circle the last would be eight times the first, which it also equals.
-    std::vector<gcpw::Link> links = linksBy(4, [](int a, int b) { return b - a == 3 ? Matx33d::eye() : Matx33d(2, 0, -300, 0, 2, -200, 0, 0, 1); });
+    std::vector<gcpw::Link> links =
+        linksBy(4, [](int a, int b) { return b - a == 3 ? Matx33d::eye() : Matx33d(2, 0, -300, 0, 2, -200, 0, 0, 1); });
     const CameraChoice choice = found(linkedBy(4, links));
     for (size_t i = 0; i < choice.cameras.size(); ++i)
         EXPECT_TRUE(checkRange(choice.cameras[i].R));
     if (!choice.cameras.empty())
     {
         const float scale = gcpw::pictureScale(choice.cameras);
-        EXPECT_EQ(gcpw::shapeOfPicture(choice.cameras, sizesOf(choice.cameras.size()), *makeWarper(choice.projection, scale), 0).fault, "");
+        EXPECT_EQ(gcpw::shapeOfPicture(choice.cameras, sizesOf(choice.cameras.size()),
+                                       *makeWarper(choice.projection, scale), 0)
+                      .fault,
+                  "");
     }
 }
 

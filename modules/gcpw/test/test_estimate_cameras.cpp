@@ -42,7 +42,8 @@ Rect pictureOf(const CameraEstimate& estimate)
     for (const cv::detail::CameraParams& camera : estimate.cameras)
         focals.push_back(camera.focal);
     std::sort(focals.begin(), focals.end());
-    const Ptr<cv::detail::RotationWarper> warper = estimate.warper()->create(static_cast<float>(focals[focals.size() / 2]));
+    const Ptr<cv::detail::RotationWarper> warper =
+        estimate.warper()->create(static_cast<float>(focals[focals.size() / 2]));
     Rect all;
     for (size_t i = 0; i < estimate.cameras.size(); ++i)
         all |= warper->warpRoi(estimate.images[i].size(), intrinsics(estimate.cameras[i]), estimate.cameras[i].R);
@@ -51,7 +52,8 @@ Rect pictureOf(const CameraEstimate& estimate)
 
 TEST(Gcpw_EstimateCameras, a_strip_keeps_all_its_photographs_and_their_turns)
 {
-    const std::vector<cv::detail::CameraParams> truth = {cameraAt(-0.8), cameraAt(-0.4, 0.03), cameraAt(0, -0.02), cameraAt(0.4), cameraAt(0.8)};
+    const std::vector<cv::detail::CameraParams> truth = {cameraAt(-0.8), cameraAt(-0.4, 0.03), cameraAt(0, -0.02),
+                                                         cameraAt(0.4), cameraAt(0.8)};
     const CameraEstimate estimate = gcpw::estimateCameras(photographsOf(truth));
     ASSERT_TRUE(estimate.ok());
     EXPECT_EQ(estimate.component, (std::vector<int>{0, 1, 2, 3, 4}));
@@ -166,8 +168,10 @@ TEST(Gcpw_LinkCheck, an_overlap_looks_the_same_under_the_true_homography_only)
     const std::vector<Point2f> inliers(12, Point2f(250, 150));
     EXPECT_TRUE(gcpw::showTheSame(image_a, image_b, b_from_a, inliers));
     EXPECT_GT(gcpw::lookAtOverlap(image_a, image_b, b_from_a).correlation, 0.9);
-    EXPECT_FALSE(gcpw::showTheSame(image_a, image_b, Matx33d(1, 0, -60, 0, 1, 25, 0, 0, 1), inliers)) << "a wrong homography";
-    EXPECT_FALSE(gcpw::showTheSame(image_a, image_b, b_from_a, std::vector<Point2f>(5, Point2f(250, 150)))) << "too few matches";
+    EXPECT_FALSE(gcpw::showTheSame(image_a, image_b, Matx33d(1, 0, -60, 0, 1, 25, 0, 0, 1), inliers))
+        << "a wrong homography";
+    EXPECT_FALSE(gcpw::showTheSame(image_a, image_b, b_from_a, std::vector<Point2f>(5, Point2f(250, 150))))
+        << "too few matches";
     EXPECT_FALSE(gcpw::showTheSame(image_a, image_b, Matx33d(-1, 0, 400, 0, 1, 0, 0, 0, 1), inliers)) << "mirrored";
 }
 

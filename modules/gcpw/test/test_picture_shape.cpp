@@ -4,10 +4,10 @@
 // What a picture is judged by before it is made, and the projections that are chosen by it.
 #include "test_precomp.hpp"
 
+#include "camera_scene.hpp"
 #include "cameras/projection_choice.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/warper_names.hpp"
-#include "camera_scene.hpp"
 
 namespace opencv_test
 {
@@ -138,7 +138,8 @@ TEST(Gcpw_ProjectionChoice, a_set_around_a_pole_is_shown_about_its_middle)
 TEST(Gcpw_ProjectionChoice, a_forced_projection_is_used)
 {
     const std::vector<Matx33d> rotations = sweepOf(0.5, 0, 4);
-    EXPECT_EQ(gcpw::chooseProjection(camerasOf(rotations, FOCAL), sizesOf(4), makeWarper, "cylindrical").name, "cylindrical");
+    EXPECT_EQ(gcpw::chooseProjection(camerasOf(rotations, FOCAL), sizesOf(4), makeWarper, "cylindrical").name,
+              "cylindrical");
 }
 
 } // namespace

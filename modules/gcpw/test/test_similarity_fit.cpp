@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "test_precomp.hpp"
 
-#include "cameras/similarity_fit.hpp"
 #include "camera_scene.hpp"
+#include "cameras/similarity_fit.hpp"
 #include "seeded.hpp"
 
 namespace opencv_test
@@ -24,7 +24,8 @@ Matx33d similarity(double scale, double angle, double x, double y)
 /// Canvas from image: a row of photographs, each turned, zoomed and shifted.
 std::vector<Matx33d> row()
 {
-    return {similarity(1, 0, 0, 0), similarity(1.1, 0.15, 260, -30), similarity(0.9, -0.2, 560, 90), similarity(1.05, 0.4, 900, -60)};
+    return {similarity(1, 0, 0, 0), similarity(1.1, 0.15, 260, -30), similarity(0.9, -0.2, 560, 90),
+            similarity(1.05, 0.4, 900, -60)};
 }
 
 std::vector<Link> linksOfRow(const std::vector<Matx33d>& truth)

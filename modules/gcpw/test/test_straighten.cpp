@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "test_precomp.hpp"
 
-#include "cameras/straighten.hpp"
 #include "camera_scene.hpp"
+#include "cameras/straighten.hpp"
 
 namespace opencv_test
 {

@@ -70,7 +70,8 @@ bool fitFlat(const LinkedImages& images, double confidence, std::vector<cv::deta
 
 } // namespace
 
-bool fitCameras(const LinkedImages& images, double confidence, CameraModel model, std::vector<cv::detail::CameraParams>& cameras)
+bool fitCameras(const LinkedImages& images, double confidence, CameraModel model,
+                std::vector<cv::detail::CameraParams>& cameras)
 {
     cameras.assign(images.features.size(), cv::detail::CameraParams());
     try

@@ -25,7 +25,8 @@ enum class CameraModel
 @param images all linked with each other by `confidence`, directly or through others
 @param cameras as cv::Stitcher keeps them: R is CV_32F, the world from the camera, or the image from the canvas if FLAT
 @return false if there is no fit */
-bool fitCameras(const LinkedImages& images, double confidence, CameraModel model, std::vector<cv::detail::CameraParams>& cameras);
+bool fitCameras(const LinkedImages& images, double confidence, CameraModel model,
+                std::vector<cv::detail::CameraParams>& cameras);
 
 } // namespace gcpw
 } // namespace cv

@@ -16,9 +16,12 @@ namespace
 
 const char* const AFFINE = "affine";
 const char* const SPHERE = "spherical";
-const double ACCURATE = 0.004; ///< of an image's longer side: as near as cameras held by hand come; no other model is tried then
-const double NEARER = 0.75;    ///< a later model must be that much nearer: then it is the truer one, as it has less freedom
-const double MAX_MISS = 0.1;   ///< beyond it links contradict each other, and no mesh brings together what belongs together
+const double ACCURATE =
+    0.004; ///< of an image's longer side: as near as cameras held by hand come; no other model is tried then
+const double NEARER =
+    0.75; ///< a later model must be that much nearer: then it is the truer one, as it has less freedom
+const double MAX_MISS =
+    0.1; ///< beyond it links contradict each other, and no mesh brings together what belongs together
 const double STRICTER[] = {1, 1.5, 2, 3}; ///< times the confidence asked for, where no model is sound
 
 /// One model, fitted and judged.
@@ -54,8 +57,8 @@ std::vector<Size> sizesOf(const LinkedImages& images)
 }
 
 /// What most links (nine of ten) do not exceed.
-double missOf(const std::vector<cv::detail::CameraParams>& cameras, const std::vector<Link>& links, const std::vector<Size>& sizes,
-              cv::detail::RotationWarper& warper, double period)
+double missOf(const std::vector<cv::detail::CameraParams>& cameras, const std::vector<Link>& links,
+              const std::vector<Size>& sizes, cv::detail::RotationWarper& warper, double period)
 {
     std::vector<double> misses = missesOf(cameras, links, warper, period);
     std::sort(misses.begin(), misses.end());
@@ -63,7 +66,8 @@ double missOf(const std::vector<cv::detail::CameraParams>& cameras, const std::v
     return misses.empty() ? 0 : misses[(misses.size() - 1) * 9 / 10] / side;
 }
 
-Attempt attempt(const LinkedImages& images, double confidence, CameraModel model, const WarperMaker& make, const std::string& forced)
+Attempt attempt(const LinkedImages& images, double confidence, CameraModel model, const WarperMaker& make,
+                const std::string& forced)
 {
     Attempt result;
     result.model = model;
@@ -104,12 +108,13 @@ std::string projectionText(const ProjectionChoice& choice)
         if (!choice.straight)
             text += ", about the middle of the view";
         else if (choice.set_shape == SetShape::COLUMN)
-            text += choice.turned ? ", along the column of the photographs" : ", upright along the column of the photographs";
+            text += choice.turned ? ", along the column of the photographs"
+                                  : ", upright along the column of the photographs";
         else if (choice.set_shape == SetShape::STRIP)
             text += ", straightened along the strip of the photographs";
     }
-    return text + format(": no photograph is enlarged more than %.2f times, and the picture has %.2f of their area", picture.stretch,
-                         picture.area);
+    return text + format(": no photograph is enlarged more than %.2f times, and the picture has %.2f of their area",
+                         picture.stretch, picture.area);
 }
 
 /// The attempt to take: see searchCameras(). -1 if none is sound.
@@ -132,13 +137,15 @@ void take(const Attempt& attempt, CameraChoice& choice)
     choice.model = attempt.model;
     choice.projection = attempt.projection.name;
     choice.turned = attempt.projection.turned;
-    choice.decisions.push_back(nameOf(attempt.model) + format(" show matched points within %.2f %% of an image's side", 100 * attempt.miss));
+    choice.decisions.push_back(nameOf(attempt.model) +
+                               format(" show matched points within %.2f %% of an image's side", 100 * attempt.miss));
     choice.decisions.push_back(projectionText(attempt.projection));
 }
 
 } // namespace
 
-CameraChoice searchCameras(const LinkedImages& images, double confidence, const WarperMaker& make, const std::string& forced)
+CameraChoice searchCameras(const LinkedImages& images, double confidence, const WarperMaker& make,
+                           const std::string& forced)
 {
     CameraChoice choice;
     for (const double stricter : STRICTER)
@@ -162,13 +169,17 @@ CameraChoice searchCameras(const LinkedImages& images, double confidence, const 
             if (!attempts[i].fault.empty())
                 choice.decisions.push_back(nameOf(attempts[i].model) + " were not taken: " + attempts[i].fault);
             else if (i != best)
-                choice.decisions.push_back(nameOf(attempts[i].model) + format(" were not taken: matched points lie %.2f %% of an image's side apart", 100 * attempts[i].miss));
+                choice.decisions.push_back(
+                    nameOf(attempts[i].model) +
+                    format(" were not taken: matched points lie %.2f %% of an image's side apart",
+                           100 * attempts[i].miss));
         if (best >= 0)
         {
             take(attempts[best], choice);
             return choice;
         }
-        choice.decisions.push_back(format("no cameras of %zu photographs make a picture of sound proportions", choice.component.size()));
+        choice.decisions.push_back(
+            format("no cameras of %zu photographs make a picture of sound proportions", choice.component.size()));
     }
     if (choice.decisions.empty())
         choice.decisions.push_back("no two of the photographs match");

@@ -29,7 +29,8 @@ struct CameraChoice
 together; where it does not quite do that, a later model if it shows them clearly nearer to each other. If none is sound, links must
 be more certain, and with them images may be left out.
 @param confidence of a link  @param forced projection of turning cameras, or empty; "affine" tries flat photographs only */
-CameraChoice searchCameras(const LinkedImages& images, double confidence, const WarperMaker& make, const std::string& forced);
+CameraChoice searchCameras(const LinkedImages& images, double confidence, const WarperMaker& make,
+                           const std::string& forced);
 
 } // namespace gcpw
 } // namespace cv

@@ -15,15 +15,16 @@ namespace gcpw
 namespace
 {
 
-const double LOOK_SIDE_PX = 320;  ///< longer side of the pictures that are compared: parallax of a photograph is a few px there
+const double LOOK_SIDE_PX =
+    320; ///< longer side of the pictures that are compared: parallax of a photograph is a few px there
 const int WINDOW_PX = 16;
 const double MIN_DEVIATION = 2.5; ///< gray levels: a flat window says nothing
 const int MIN_WINDOWS = 6;
 const double MIN_CORRELATION = 0.4; ///< false pairs stay below 0.2, true ones with parallax are above 0.5
 const double MIN_SHARE = 0.03;
-const double MAX_ZOOM = 3;        ///< between photographs of one set
-const int MIN_INLIERS = 8;        ///< a homography fits any four; of fewer its overlap is a matter of chance
-const double SURE = 1.01;         ///< times the confidence asked for: a confirmed link counts, and others count more
+const double MAX_ZOOM = 3; ///< between photographs of one set
+const int MIN_INLIERS = 8; ///< a homography fits any four; of fewer its overlap is a matter of chance
+const double SURE = 1.01;  ///< times the confidence asked for: a confirmed link counts, and others count more
 
 Mat small(const Mat& image, double scale)
 {
@@ -85,7 +86,8 @@ OverlapLook lookAtOverlap(const Mat& a, const Mat& b, const Matx33d& b_from_a)
         {
             const Rect window(x, y, WINDOW_PX, WINDOW_PX);
             double correlation = 0;
-            if (countNonZero(inside(window)) < window.area() || !correlate(laid(window).clone(), target(window).clone(), correlation))
+            if (countNonZero(inside(window)) < window.area() ||
+                !correlate(laid(window).clone(), target(window).clone(), correlation))
                 continue;
             sum += correlation;
             ++look.windows;

@@ -19,7 +19,10 @@ struct LinkedImages
     std::vector<cv::detail::MatchesInfo> matches;    ///< of every ordered pair: a * count() + b
 
     int count() const { return static_cast<int>(features.size()); }
-    const cv::detail::MatchesInfo& between(int a, int b) const { return matches[static_cast<size_t>(a) * features.size() + b]; }
+    const cv::detail::MatchesInfo& between(int a, int b) const
+    {
+        return matches[static_cast<size_t>(a) * features.size() + b];
+    }
     cv::detail::MatchesInfo& between(int a, int b) { return matches[static_cast<size_t>(a) * features.size() + b]; }
 };
 

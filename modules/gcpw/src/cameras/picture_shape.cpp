@@ -14,13 +14,15 @@ namespace gcpw
 namespace
 {
 
-const int GRID = 8;            ///< places a side of an image whose enlargement is looked at
-const double STEP_PX = 4;      ///< for the derivative of the warp
-const double MAX_STRETCH = 4;  ///< of a photograph that a person still takes for one
-const double MAX_AREA = 1.5;   ///< of the picture over its photographs: these overlap, so a picture is smaller but for its empty corners
-const double MAX_FOCALS = 2;   ///< largest over smallest: zooming during a panorama is not meant
-const double MIN_FOCAL = 0.25; ///< over the longer side: beyond it a lens shows more than 127 degrees, which no rectilinear lens does
-const double MAX_FOCAL = 30;   ///< over the longer side: 2 degrees
+const int GRID = 8;           ///< places a side of an image whose enlargement is looked at
+const double STEP_PX = 4;     ///< for the derivative of the warp
+const double MAX_STRETCH = 4; ///< of a photograph that a person still takes for one
+const double MAX_AREA =
+    1.5; ///< of the picture over its photographs: these overlap, so a picture is smaller but for its empty corners
+const double MAX_FOCALS = 2; ///< largest over smallest: zooming during a panorama is not meant
+const double MIN_FOCAL =
+    0.25; ///< over the longer side: beyond it a lens shows more than 127 degrees, which no rectilinear lens does
+const double MAX_FOCAL = 30; ///< over the longer side: 2 degrees
 
 void view(const cv::detail::CameraParams& camera, Mat& K, Mat& R)
 {
@@ -43,11 +45,13 @@ std::string cameraFault(const std::vector<cv::detail::CameraParams>& cameras, co
         smallest = i == 0 ? cameras[i].focal : std::min(smallest, cameras[i].focal);
         largest = std::max(largest, cameras[i].focal);
     }
-    return largest <= MAX_FOCALS * smallest ? std::string() : format("focal lengths differ by %.2g", largest / smallest);
+    return largest <= MAX_FOCALS * smallest ? std::string()
+                                            : format("focal lengths differ by %.2g", largest / smallest);
 }
 
 /// Singular values of the warp's derivative at a point of the image, rising; false where it has none (behind the camera).
-bool enlargement(cv::detail::RotationWarper& warper, const Mat& K, const Mat& R, Point2f p, double period, Vec2d& values)
+bool enlargement(cv::detail::RotationWarper& warper, const Mat& K, const Mat& R, Point2f p, double period,
+                 Vec2d& values)
 {
     const Point2d at = warper.warpPoint(p, K, R);
     const auto step = [&](double x, double y)
@@ -151,7 +155,8 @@ std::vector<double> missesOf(const std::vector<cv::detail::CameraParams>& camera
         std::vector<double> distances;
         for (size_t k = 0; k < link.points_a.size(); ++k)
         {
-            Point2d miss = Point2d(warper.warpPoint(link.points_a[k], K[0], R[0])) - Point2d(warper.warpPoint(link.points_b[k], K[1], R[1]));
+            Point2d miss = Point2d(warper.warpPoint(link.points_a[k], K[0], R[0])) -
+                           Point2d(warper.warpPoint(link.points_b[k], K[1], R[1]));
             if (period > 0)
                 miss.x -= period * std::round(miss.x / period);
             distances.push_back(norm(miss));

@@ -18,11 +18,12 @@ namespace gcpw
 /// What a picture by some cameras and a projection would be like, found before it is made.
 struct PictureShape
 {
-    double stretch = 0; ///< largest enlargement of a pixel of any photograph in any direction, over the picture's own scale
-    double shrink = 0;  ///< smallest
-    double area = 0;    ///< of the picture, over all photographs together
-    Size size;          ///< at the resolution of the cameras, px
-    std::string fault;  ///< what is out of proportion, in words; empty for nothing
+    double stretch =
+        0; ///< largest enlargement of a pixel of any photograph in any direction, over the picture's own scale
+    double shrink = 0; ///< smallest
+    double area = 0;   ///< of the picture, over all photographs together
+    Size size;         ///< at the resolution of the cameras, px
+    std::string fault; ///< what is out of proportion, in words; empty for nothing
 };
 
 /// The scale that a stitcher gives to its warper: the cameras' median focal length.

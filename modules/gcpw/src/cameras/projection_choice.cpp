@@ -15,8 +15,9 @@ const char* const PLANE = "plane";
 const char* const SPHERE = "spherical";
 const char* const STEREOGRAPHIC = "stereographic";
 
-const double PLANE_STRETCH = 1.5;  ///< a view of about 70 degrees, as wide lenses show it
-const double SPHERE_STRETCH = 4; ///< up to 75 degrees from the horizon: nearer to a pole pictures are smeared; before, walls stay upright
+const double PLANE_STRETCH = 1.5; ///< a view of about 70 degrees, as wide lenses show it
+const double SPHERE_STRETCH =
+    4; ///< up to 75 degrees from the horizon: nearer to a pole pictures are smeared; before, walls stay upright
 
 /// A quarter turn of the picture: what lies on its side in a column's frame stands again.
 const Matx33d STANDING(0, -1, 0, 1, 0, 0, 0, 0, 1);
@@ -43,7 +44,8 @@ std::vector<Matx33d> rotationsOf(const std::vector<cv::detail::CameraParams>& ca
 
 } // namespace
 
-std::vector<cv::detail::CameraParams> inWorld(const Matx33d& world, const std::vector<cv::detail::CameraParams>& cameras)
+std::vector<cv::detail::CameraParams> inWorld(const Matx33d& world,
+                                              const std::vector<cv::detail::CameraParams>& cameras)
 {
     std::vector<cv::detail::CameraParams> moved = cameras;
     const std::vector<Matx33d> rotations = rotationsOf(cameras);
@@ -67,7 +69,8 @@ ProjectionChoice chooseProjection(const std::vector<cv::detail::CameraParams>& c
                   {SPHERE, centre, false, SPHERE_STRETCH},
                   {STEREOGRAPHIC, centre, false, SPHERE_STRETCH}};
     else
-        trials = {{forced.c_str(), forced == PLANE && column ? STANDING * straight : straight, forced != PLANE && column, SPHERE_STRETCH},
+        trials = {{forced.c_str(), forced == PLANE && column ? STANDING * straight : straight,
+                   forced != PLANE && column, SPHERE_STRETCH},
                   {forced.c_str(), centre, false, SPHERE_STRETCH}};
     const float scale = pictureScale(cameras);
     ProjectionChoice best;

@@ -21,12 +21,12 @@ typedef std::function<Ptr<cv::detail::RotationWarper>(const std::string& name, f
 /// A projection for some cameras, and the frame of the world in which it is used.
 struct ProjectionChoice
 {
-    std::string name;                 ///< "plane", "spherical", "stereographic"
-    Matx33d world = Matx33d::eye();   ///< to be multiplied from the left onto every rotation
-    bool turned = false;              ///< the picture comes out turned to the left by 90 degrees
+    std::string name;               ///< "plane", "spherical", "stereographic"
+    Matx33d world = Matx33d::eye(); ///< to be multiplied from the left onto every rotation
+    bool turned = false;            ///< the picture comes out turned to the left by 90 degrees
     SetShape set_shape = SetShape::SPOT;
-    bool straight = true;             ///< along the strip or column; otherwise about the middle of the view
-    PictureShape picture;             ///< what it will be like
+    bool straight = true; ///< along the strip or column; otherwise about the middle of the view
+    PictureShape picture; ///< what it will be like
 };
 
 /** @brief Chooses the projection of turning cameras by how much it enlarges their photographs.
@@ -38,7 +38,8 @@ ProjectionChoice chooseProjection(const std::vector<cv::detail::CameraParams>& c
                                   const WarperMaker& make, const std::string& forced = std::string());
 
 /// Cameras in another frame of the world.
-std::vector<cv::detail::CameraParams> inWorld(const Matx33d& world, const std::vector<cv::detail::CameraParams>& cameras);
+std::vector<cv::detail::CameraParams> inWorld(const Matx33d& world,
+                                              const std::vector<cv::detail::CameraParams>& cameras);
 
 } // namespace gcpw
 } // namespace cv

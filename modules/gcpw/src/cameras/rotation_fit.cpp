@@ -14,13 +14,14 @@ namespace gcpw
 namespace
 {
 
-const double LOSS_PX = 4;        ///< of the robust loss: parallax of a hand-held camera at half a million pixels
-const int MOST_MATCHES = 100;    ///< of a link: more change nothing but the time
+const double LOSS_PX = 4;     ///< of the robust loss: parallax of a hand-held camera at half a million pixels
+const int MOST_MATCHES = 100; ///< of a link: more change nothing but the time
 const int MAX_STEPS = 60;
-const double ENOUGH = 1e-5;      ///< relative decrease of the cost below which a fit is done
-const double BEHIND = 1e4;       ///< px^2: cost of a point that falls behind a camera
-const double MIN_DEPTH = 0.05;   ///< of a ray of length about 1; nearer to the image plane's horizon positions explode
-const double STARTS[] = {0.6, 0.9, 1.3, 2, 3.5}; ///< focal lengths over the longer side: from very wide lenses to short telephotos
+const double ENOUGH = 1e-5;    ///< relative decrease of the cost below which a fit is done
+const double BEHIND = 1e4;     ///< px^2: cost of a point that falls behind a camera
+const double MIN_DEPTH = 0.05; ///< of a ray of length about 1; nearer to the image plane's horizon positions explode
+const double STARTS[] = {0.6, 0.9, 1.3, 2,
+                         3.5}; ///< focal lengths over the longer side: from very wide lenses to short telephotos
 
 Matx33d cross(const Vec3d& v)
 {
@@ -75,7 +76,8 @@ struct Sight
 class Fit
 {
 public:
-    Fit(const std::vector<Size>& sizes, const std::vector<Link>& links) : count_(static_cast<int>(sizes.size())), links_(links)
+    Fit(const std::vector<Size>& sizes, const std::vector<Link>& links)
+        : count_(static_cast<int>(sizes.size())), links_(links)
     {
         for (const Link& link : links)
         {
@@ -83,7 +85,8 @@ public:
             for (size_t k = 0; k < most; ++k)
             {
                 const size_t i = k * link.points_a.size() / most;
-                sights_.push_back({link.a, link.b, offset(link.points_a[i], sizes[link.a]), offset(link.points_b[i], sizes[link.b]),
+                sights_.push_back({link.a, link.b, offset(link.points_a[i], sizes[link.a]),
+                                   offset(link.points_b[i], sizes[link.b]),
                                    static_cast<double>(link.points_a.size()) / static_cast<double>(most)});
             }
         }
@@ -97,8 +100,9 @@ public:
         cameras.focal = focal;
         cameras.rotations.assign(count_, Matx33d::eye());
         std::vector<bool> placed(count_, false);
-        const auto strongest = std::max_element(links_.begin(), links_.end(), [](const Link& p, const Link& q)
-                                                { return p.points_a.size() < q.points_a.size(); });
+        const auto strongest =
+            std::max_element(links_.begin(), links_.end(),
+                             [](const Link& p, const Link& q) { return p.points_a.size() < q.points_a.size(); });
         if (strongest == links_.end())
             return false;
         placed[strongest->a] = true;
@@ -172,7 +176,10 @@ private:
         return rotationBetween(from, to, LOSS_PX / focal);
     }
 
-    static double loss(const Vec2d& miss) { return LOSS_PX * LOSS_PX * std::log1p(miss.dot(miss) / (LOSS_PX * LOSS_PX)); }
+    static double loss(const Vec2d& miss)
+    {
+        return LOSS_PX * LOSS_PX * std::log1p(miss.dot(miss) / (LOSS_PX * LOSS_PX));
+    }
 
     double cost(const TurningCameras& cameras) const
     {
@@ -183,10 +190,10 @@ private:
                 const Vec2d& p = back ? sight.in_b : sight.in_a;
                 const Vec2d& q = back ? sight.in_a : sight.in_b;
                 const Vec3d x(p[0] / cameras.focal, p[1] / cameras.focal, 1);
-                const Vec3d y = cameras.rotations[back ? sight.a : sight.b].t() * (cameras.rotations[back ? sight.b : sight.a] * x);
+                const Vec3d y =
+                    cameras.rotations[back ? sight.a : sight.b].t() * (cameras.rotations[back ? sight.b : sight.a] * x);
                 const bool ahead = y[2] > MIN_DEPTH;
-                sum += sight.weight *
-                       (ahead ? loss(Vec2d(y[0], y[1]) * (cameras.focal / y[2]) - q) : BEHIND);
+                sum += sight.weight * (ahead ? loss(Vec2d(y[0], y[1]) * (cameras.focal / y[2]) - q) : BEHIND);
             }
         return sum / weight_;
     }
@@ -254,7 +261,9 @@ private:
         // No single step changes the focal length by more than half.
         moved.focal *= std::exp(std::min(std::max(delta.at<double>(0), -0.5), 0.5));
         for (int i = 0; i < count_; ++i)
-            moved.rotations[i] = cameras.rotations[i] * rotationBy(Vec3d(delta.at<double>(1 + 3 * i), delta.at<double>(2 + 3 * i), delta.at<double>(3 + 3 * i)));
+            moved.rotations[i] =
+                cameras.rotations[i] * rotationBy(Vec3d(delta.at<double>(1 + 3 * i), delta.at<double>(2 + 3 * i),
+                                                        delta.at<double>(3 + 3 * i)));
         return moved;
     }
 

@@ -15,9 +15,9 @@ namespace gcpw
 /// Cameras that only turn, all with one focal length and the principal point in the middle of each image.
 struct TurningCameras
 {
-    double focal = 0;              ///< px
+    double focal = 0;               ///< px
     std::vector<Matx33d> rotations; ///< world from camera
-    double cost = 0;               ///< robust mean square of the distances, px^2
+    double cost = 0;                ///< robust mean square of the distances, px^2
 };
 
 /** @brief Fits turning cameras to matches (robust bundle adjustment with one focal length).

@@ -26,8 +26,8 @@ Matx<double, 2, UNKNOWNS> rowsOf(Point2f p)
 
 Vec4d partOf(const Mat& solution, int image)
 {
-    return {solution.at<double>(UNKNOWNS * image), solution.at<double>(UNKNOWNS * image + 1), solution.at<double>(UNKNOWNS * image + 2),
-            solution.at<double>(UNKNOWNS * image + 3)};
+    return {solution.at<double>(UNKNOWNS * image), solution.at<double>(UNKNOWNS * image + 1),
+            solution.at<double>(UNKNOWNS * image + 2), solution.at<double>(UNKNOWNS * image + 3)};
 }
 
 double scaleOf(const Vec4d& similarity)
@@ -93,7 +93,8 @@ bool solveOnce(size_t count, const std::vector<Link>& links, int anchor, Mat& so
 
 } // namespace
 
-bool fitSimilarities(const std::vector<Size>& sizes, const std::vector<Link>& links, std::vector<Matx33d>& canvas_from_image)
+bool fitSimilarities(const std::vector<Size>& sizes, const std::vector<Link>& links,
+                     std::vector<Matx33d>& canvas_from_image)
 {
     const size_t count = sizes.size();
     const int anchor = anchorOf(count, links);

@@ -21,7 +21,8 @@ smaller errors. The most linked image is upright; the scales are 1 in the geomet
 @param sizes of the images, px  @param links that connect all of them
 @param canvas_from_image one a image
 @return false if the links do not connect them */
-bool fitSimilarities(const std::vector<Size>& sizes, const std::vector<Link>& links, std::vector<Matx33d>& canvas_from_image);
+bool fitSimilarities(const std::vector<Size>& sizes, const std::vector<Link>& links,
+                     std::vector<Matx33d>& canvas_from_image);
 
 } // namespace gcpw
 } // namespace cv

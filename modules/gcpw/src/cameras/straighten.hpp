@@ -15,8 +15,8 @@ namespace gcpw
 /// How the photographs of turning cameras lie beside each other.
 enum class SetShape
 {
-    SPOT,   ///< all look almost the same way: nothing says where up is but the photographs themselves
-    STRIP,  ///< the camera turned about its own vertical axis, perhaps in several rows
+    SPOT,  ///< all look almost the same way: nothing says where up is but the photographs themselves
+    STRIP, ///< the camera turned about its own vertical axis, perhaps in several rows
     COLUMN, ///< it turned about its own horizontal axis: a sweep upwards, or a strip of photographs that lie on their side
 };
 

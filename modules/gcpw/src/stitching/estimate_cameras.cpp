@@ -9,12 +9,12 @@
 #include <opencv2/imgproc.hpp>
 #include "cameras/camera_search.hpp"
 #include "cameras/link_check.hpp"
+#include "opencv2/gcpw/warper.hpp"
 #include "registration/features_header.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/image_capture.hpp"
 #include "stitching/seeded_matcher.hpp"
 #include "stitching/warper_names.hpp"
-#include "opencv2/gcpw/warper.hpp"
 
 namespace cv
 {
@@ -25,9 +25,9 @@ namespace
 {
 
 const int MOST_KEYPOINTS = 4000;
-const double CONTRAST = 0.007;      ///< of SIFT: at OpenCV's 0.04 faint and dark photographs have hardly a keypoint
-const float STRICT = 0.65F;         ///< of the first matcher: few wrong matches, as stitching_detailed has it for SIFT
-const float LOOSE = 0.25F;          ///< of the second: the usual ratio of 0.75 of the nearest to the second nearest
+const double CONTRAST = 0.007; ///< of SIFT: at OpenCV's 0.04 faint and dark photographs have hardly a keypoint
+const float STRICT = 0.65F;    ///< of the first matcher: few wrong matches, as stitching_detailed has it for SIFT
+const float LOOSE = 0.25F;     ///< of the second: the usual ratio of 0.75 of the nearest to the second nearest
 
 Ptr<Feature2D> finderOf(const CameraOptions& options)
 {
@@ -36,7 +36,8 @@ Ptr<Feature2D> finderOf(const CameraOptions& options)
 
 Ptr<cv::detail::FeaturesMatcher> matcherOr(const Ptr<cv::detail::FeaturesMatcher>& given, float confidence)
 {
-    return given ? given : Ptr<cv::detail::FeaturesMatcher>(makePtr<cv::detail::BestOf2NearestMatcher>(false, confidence));
+    return given ? given
+                 : Ptr<cv::detail::FeaturesMatcher>(makePtr<cv::detail::BestOf2NearestMatcher>(false, confidence));
 }
 
 std::vector<Mat> checked(InputArrayOfArrays photographs, const CameraOptions& options)
@@ -149,7 +150,8 @@ CameraEstimate estimateCameras(InputArrayOfArrays photographs, const CameraOptio
         else
             images[i] = given[i];
     const LinkedImages linked = link(images, options, estimate.decisions);
-    const WarperMaker make = [](const std::string& name, float scale) { return trueWarper(warperOfName(name)->create(scale)); };
+    const WarperMaker make = [](const std::string& name, float scale)
+    { return trueWarper(warperOfName(name)->create(scale)); };
     const CameraChoice choice = searchCameras(linked, options.confidence, make, options.projection);
     estimate.decisions.insert(estimate.decisions.end(), choice.decisions.begin(), choice.decisions.end());
     if (!choice.cameras.empty())
@@ -168,7 +170,8 @@ CameraEstimate estimateCameras(InputArrayOfArrays photographs, const CameraOptio
                 dropped.push_back(i);
         if (!dropped.empty())
             estimate.decisions.push_back((dropped.size() == 1 ? "photograph " : "photographs ") + numbersOf(dropped) +
-                                         (dropped.size() == 1 ? " was" : " were") + " left out: nothing links them to the others");
+                                         (dropped.size() == 1 ? " was" : " were") +
+                                         " left out: nothing links them to the others");
     }
     for (const std::string& decision : estimate.decisions)
         CV_LOG_INFO(nullptr, "gcpw: " << decision);
@@ -177,12 +180,14 @@ CameraEstimate estimateCameras(InputArrayOfArrays photographs, const CameraOptio
 
 Rig alignRig(const CameraEstimate& estimate, const Params& params, const Progress& progress)
 {
-    CV_Check(estimate.cameras.size(), estimate.ok(), "gcpw: alignRig() takes an estimate with cameras: see CameraEstimate::decisions");
+    CV_Check(estimate.cameras.size(), estimate.ok(),
+             "gcpw: alignRig() takes an estimate with cameras: see CameraEstimate::decisions");
     Params own = params;
     if (params.referenceImage >= 0)
     {
         // Of a photograph that was left out nothing can be kept in its place.
-        const auto found = std::lower_bound(estimate.component.begin(), estimate.component.end(), params.referenceImage);
+        const auto found =
+            std::lower_bound(estimate.component.begin(), estimate.component.end(), params.referenceImage);
         const bool kept = found != estimate.component.end() && *found == params.referenceImage;
         own.referenceImage = kept ? static_cast<int>(found - estimate.component.begin()) : -1;
     }

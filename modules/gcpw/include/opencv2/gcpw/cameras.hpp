@@ -30,8 +30,8 @@ struct CV_EXPORTS CameraOptions
     double confidence;
     /// Name of a warper as alignRigByName() knows them, to be used in any case; empty, the default, chooses.
     std::string projection;
-    Ptr<Feature2D> finder;                        //!< empty: SIFT, also where contrast is low
-    Ptr<cv::detail::FeaturesMatcher> matcher;     //!< empty: best of two nearest
+    Ptr<Feature2D> finder;                    //!< empty: SIFT, also where contrast is low
+    Ptr<cv::detail::FeaturesMatcher> matcher; //!< empty: best of two nearest
     /// Tried on photographs that the first leaves alone; its matches count only if the pictures confirm them. Empty: as the first,
     /// less strict.
     Ptr<cv::detail::FeaturesMatcher> secondMatcher;
@@ -42,16 +42,17 @@ struct CV_EXPORTS CameraEstimate
 {
     CameraEstimate() : work_scale(1), turned(false) {}
 
-    std::vector<int> component;                      //!< which of the photographs have a camera, 0-based, ascending
-    std::vector<cv::detail::CameraParams> cameras;   //!< of these, at the resolution of `images`; none if there are none
-    std::vector<Mat> images;                         //!< these photographs, 8-bit as given, scaled down by work_scale
-    std::vector<KnownKeypoints> keypoints;           //!< of `images`; empty if they are not SIFT's
-    double work_scale;                               //!< pixels of `images` per pixel of the photographs
-    std::string projection;                          //!< name of the warper that the cameras are for
+    std::vector<int> component;                    //!< which of the photographs have a camera, 0-based, ascending
+    std::vector<cv::detail::CameraParams> cameras; //!< of these, at the resolution of `images`; none if there are none
+    std::vector<Mat> images;                       //!< these photographs, 8-bit as given, scaled down by work_scale
+    std::vector<KnownKeypoints> keypoints;         //!< of `images`; empty if they are not SIFT's
+    double work_scale;                             //!< pixels of `images` per pixel of the photographs
+    std::string projection;                        //!< name of the warper that the cameras are for
     /// The picture comes out turned to the left: rotate(picture, picture, ROTATE_90_CLOCKWISE) makes it stand. So are sweeps
     /// upwards and photographs that lie on their side kept off the poles of the sphere.
     bool turned;
-    std::vector<std::string> decisions; //!< one sentence for each choice that was made, in order; the reason if there are no cameras
+    std::vector<std::string>
+        decisions; //!< one sentence for each choice that was made, in order; the reason if there are no cameras
 
     /// Whether there are cameras.
     bool ok() const { return !cameras.empty(); }
@@ -83,14 +84,16 @@ stitcher->composePanorama(picture);
 @param photographs two or more, 8-bit BGR, BGRA or gray
 @param options see there
 @throws cv::Exception if photographs are too few, empty or not of 8 bits, or options are out of range */
-CV_EXPORTS CameraEstimate estimateCameras(InputArrayOfArrays photographs, const CameraOptions& options = CameraOptions());
+CV_EXPORTS CameraEstimate estimateCameras(InputArrayOfArrays photographs,
+                                          const CameraOptions& options = CameraOptions());
 
 /** @brief alignRig() of such cameras, with the keypoints that are known already.
 @param estimate that is ok()
 @param params, progress as for alignRig(); params.referenceImage counts the photographs given to estimateCameras()
 @return with component and work_scale, so that it fits a cv::Stitcher after setTransform()
 @throws cv::Exception also if the estimate has no cameras */
-CV_EXPORTS Rig alignRig(const CameraEstimate& estimate, const Params& params = Params(), const Progress& progress = Progress());
+CV_EXPORTS Rig alignRig(const CameraEstimate& estimate, const Params& params = Params(),
+                        const Progress& progress = Progress());
 
 //! @}
 
