@@ -10,6 +10,7 @@
 #endif
 #include <opencv2/gcpw/stitcher.hpp>
 #include "common/json.hpp"
+#include "common/model_check.hpp"
 #include "common/program.hpp"
 #include "common/stitch_setup.hpp"
 
@@ -43,6 +44,8 @@ const char* const KEYS =
     "{load_model      |             | use such a file instead of estimating }"
     "{threads         | -1          | threads to use; -1 leaves it to OpenCV }"
     "{set             |             | further parameters, name=value,name=value; see gcpw::Params }";
+
+const int MIN_SIDE = 8; ///< px of a photograph: cv::SIFT fails on images of one or two
 
 /// Everything one run is asked to do.
 struct Job
@@ -119,6 +122,10 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
         job.params.referenceImage = job.reference - 1;
     checkSetup(setup);
     job.params.check();
+    std::vector<std::string> inputs = job.paths;
+    if (!job.load_model.empty())
+        inputs.push_back(job.load_model);
+    checkOutputs(inputs, {job.output}, {job.report, job.save_model}, job.dump);
     return job;
 }
 
@@ -126,7 +133,11 @@ std::vector<cv::Mat> readAll(const std::vector<std::string>& paths)
 {
     std::vector<cv::Mat> images;
     for (const std::string& path : paths)
+    {
         images.push_back(readBgr(path));
+        if (std::min(images.back().cols, images.back().rows) < MIN_SIDE)
+            throw WrongUse(path + cv::format(" is %d x %d px; %d px a side are needed", images.back().cols, images.back().rows, MIN_SIDE));
+    }
     return images;
 }
 
@@ -239,9 +250,7 @@ void useModel(const Job& job, const std::vector<cv::Mat>& images, cv::Ptr<cv::St
               Outcome& outcome)
 {
     const Rig rig = Rig::load(job.load_model);
-    for (int index : rig.component)
-        if (index < 0 || index >= static_cast<int>(images.size()))
-            throw WrongUse(job.load_model + " is of " + std::to_string(rig.component.size()) + " other images");
+    const std::vector<int> component = checkModel(rig, images, job.load_model);
     StitchSetup setup = job.setup;
     if (setup.warp.empty())
         setup.warp = rig.projection;
@@ -249,7 +258,8 @@ void useModel(const Job& job, const std::vector<cv::Mat>& images, cv::Ptr<cv::St
     stitcher = makeStitcher(setup);
     binding = attachTo(stitcher, job);
     binding->setRig(rig);
-    outcome.status = stitcher->setTransform(images, rig.cameras, rig.component);
+    outcome.status = stitcher->setTransform(images, rig.cameras, component);
+    checkWorkScale(rig, *stitcher, job.load_model);
 }
 
 /// Looks for cameras and a projection in mode auto.

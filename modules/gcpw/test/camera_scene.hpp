@@ -123,8 +123,8 @@ inline gcpw::LinkedImages linkedBy(size_t count, const std::vector<gcpw::Link>& 
     };
     for (const gcpw::Link& link : links)
     {
-        add(link, link.a, link.b, link.points_a, link.points_b);
-        add(link, link.b, link.a, link.points_b, link.points_a);
+        addMatches(link, link.a, link.b, link.points_a, link.points_b);
+        addMatches(link, link.b, link.a, link.points_b, link.points_a);
     }
     return images;
 }
