@@ -92,7 +92,7 @@ inline gcpw::LinkedImages linkedBy(size_t count, const std::vector<gcpw::Link>& 
         images.features[i].img_idx = static_cast<int>(i);
         images.features[i].img_size = SHOT;
     }
-    const auto add =
+    const auto addMatches =
         [&](const gcpw::Link& link, int a, int b, const std::vector<Point2f>& in_a, const std::vector<Point2f>& in_b)
     {
         cv::detail::MatchesInfo& info = images.between(a, b);
