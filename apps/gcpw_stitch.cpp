@@ -5,6 +5,9 @@
 // Stitches any number of photographs with cv::Stitcher, plain or with GCPW inside.
 #include <algorithm>
 #include <iostream>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <opencv2/gcpw/stitcher.hpp>
 #include "common/json.hpp"
 #include "common/model_check.hpp"
@@ -20,14 +23,14 @@ const char* const KEYS =
     "{help h usage ?  |             | this text }"
     "{output          | result.png  | the panorama }"
     "{method          | gcpw        | gcpw, or none: OpenCV's own pipeline with the same features and cameras }"
-    "{mode            | panorama    | panorama or scans }"
+    "{mode            | auto        | auto: cameras and projection that keep proportions and photographs; or panorama or scans }"
     "{warp            |             | spherical, cylindrical, plane, affine, fisheye, stereographic, mercator, .. }"
     "{features        | sift        | sift, orb or akaze }"
     "{seam            | gc_color    | no, voronoi, gc_color, gc_colorgrad, dp_color or dp_colorgrad }"
     "{blend           | multiband   | no, feather or multiband }"
     "{expos_comp      | gain_blocks | no, gain, gain_blocks, channels or channels_blocks; gcpw falls back on it }"
-    "{ba              | ray         | bundle adjustment: ray, reproj, affine or no }"
-    "{wave_correct    | horiz       | no, horiz or vert }"
+    "{ba              |             | bundle adjustment of mode panorama: ray (the default there), reproj, affine or no }"
+    "{wave_correct    |             | of mode panorama: horiz (the default there), vert or no }"
     "{work_megapix    | 0.6         | resolution of features and alignment, million pixels }"
     "{seam_megapix    | 0.1         | resolution of the seams, million pixels }"
     "{compose_megapix | -1          | resolution of the panorama; -1 keeps the photographs' own }"
@@ -117,6 +120,7 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
         throw WrongUse("there is a model only with --method=gcpw");
     if (job.reference != -1)
         job.params.referenceImage = job.reference - 1;
+    checkSetup(setup);
     job.params.check();
     std::vector<std::string> inputs = job.paths;
     if (!job.load_model.empty())
@@ -180,22 +184,36 @@ void dumpWarped(const std::string& folder, cv::Stitcher& stitcher, const std::ve
     writeText(folder + "/corners.csv", corners);
 }
 
-std::string reportText(const Job& job, const std::string& status, const std::vector<int>& kept, const StitcherBinding* binding,
-                       const Stages& stages, cv::Size size)
+/// What a run found out, for report and terminal.
+struct Outcome
+{
+    cv::Stitcher::Status status = cv::Stitcher::OK;
+    std::string reason;                 ///< why there is no picture
+    std::vector<int> kept;              ///< photographs in the picture
+    std::vector<std::string> decisions; ///< of mode auto
+    bool turned = false;                ///< the picture is to be turned to the right
+    int estimations = 0;                ///< of the alignment
+};
+
+std::string reportText(const Job& job, const Outcome& outcome, const StitcherBinding* binding, const Stages& stages, cv::Size size)
 {
     Json json;
-    json.beginObject().add("status", status).add("method", job.gcpw ? "gcpw" : "none");
+    json.beginObject().add("status", outcome.reason).add("method", job.gcpw ? "gcpw" : "none");
     json.add("width", size.width).add("height", size.height).add("images", static_cast<int>(job.paths.size()));
     json.beginArray("dropped");
     for (size_t i = 0; i < job.paths.size(); ++i)
-        if (std::find(kept.begin(), kept.end(), static_cast<int>(i)) == kept.end())
+        if (std::find(outcome.kept.begin(), outcome.kept.end(), static_cast<int>(i)) == outcome.kept.end())
             json.add("", job.paths[i]);
+    json.endArray();
+    json.beginArray("decisions");
+    for (const std::string& decision : outcome.decisions)
+        json.add("", decision);
     json.endArray();
     if (binding)
     {
         const Report& report = binding->rig().alignment.report();
         json.beginObject("alignment").add("status", nameOf(report.status)).add("message", report.message);
-        json.add("estimations", binding->estimations()).add("folds", report.folds);
+        json.add("estimations", outcome.estimations + binding->estimations()).add("folds", report.folds);
         json.add("max_displacement_px", report.max_displacement_px);
         json.add("gain_min", report.gain_min).add("gain_max", report.gain_max);
         json.beginArray("pairs");
@@ -214,17 +232,97 @@ std::string reportText(const Job& job, const std::string& status, const std::vec
     return json.text();
 }
 
-cv::Stitcher::Status findCameras(const Job& job, const std::vector<cv::Mat>& images, cv::Stitcher& stitcher,
-                                 StitcherBinding* binding)
+cv::Ptr<StitcherBinding> attachTo(const cv::Ptr<cv::Stitcher>& stitcher, const Job& job)
 {
-    if (job.load_model.empty())
-        return stitcher.estimateTransform(images);
+    return job.gcpw ? attach(stitcher, job.params, terminalProgress()) : cv::Ptr<StitcherBinding>();
+}
+
+/// Gives memory that features and matches have left behind back to the system, where the allocator keeps it.
+void releaseFreedMemory()
+{
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
+/// Takes the cameras of a saved rig.
+void useModel(const Job& job, const std::vector<cv::Mat>& images, cv::Ptr<cv::Stitcher>& stitcher, cv::Ptr<StitcherBinding>& binding,
+              Outcome& outcome)
+{
     const Rig rig = Rig::load(job.load_model);
     const std::vector<int> component = checkModel(rig, images, job.load_model);
+    StitchSetup setup = job.setup;
+    if (setup.warp.empty())
+        setup.warp = rig.projection;
+    outcome.turned = rig.turned;
+    stitcher = makeStitcher(setup);
+    binding = attachTo(stitcher, job);
     binding->setRig(rig);
-    const cv::Stitcher::Status status = stitcher.setTransform(images, rig.cameras, component);
-    checkWorkScale(rig, stitcher, job.load_model);
-    return status;
+    outcome.status = stitcher->setTransform(images, rig.cameras, component);
+    checkWorkScale(rig, *stitcher, job.load_model);
+}
+
+/// Looks for cameras and a projection in mode auto.
+void findCameras(const Job& job, const std::vector<cv::Mat>& images, cv::Ptr<cv::Stitcher>& stitcher,
+                 cv::Ptr<StitcherBinding>& binding, Outcome& outcome)
+{
+    const CameraEstimate estimate = estimateCameras(images, cameraOptions(job.setup));
+    releaseFreedMemory();
+    outcome.decisions = estimate.decisions;
+    stitcher = makeStitcher(job.setup);
+    if (!estimate.ok())
+    {
+        outcome.status = cv::Stitcher::ERR_NEED_MORE_IMGS;
+        outcome.reason = estimate.decisions.back();
+        return;
+    }
+    outcome.turned = estimate.turned;
+    stitcher->setWarper(estimate.warper());
+    binding = attachTo(stitcher, job);
+    if (binding)
+    {
+        binding->setRig(alignRig(estimate, job.params, terminalProgress()));
+        outcome.estimations = 1;
+    }
+    outcome.status = stitcher->setTransform(images, estimate.cameras, estimate.component);
+}
+
+/// A stitcher that knows its cameras, with GCPW's rig if it is to have one.
+void prepare(const Job& job, const std::vector<cv::Mat>& images, cv::Ptr<cv::Stitcher>& stitcher, cv::Ptr<StitcherBinding>& binding,
+             Outcome& outcome)
+{
+    if (!job.load_model.empty())
+        useModel(job, images, stitcher, binding, outcome);
+    else if (job.setup.mode == "auto")
+        findCameras(job, images, stitcher, binding, outcome);
+    else
+    {
+        stitcher = makeStitcher(job.setup);
+        binding = attachTo(stitcher, job);
+        outcome.status = stitcher->estimateTransform(images);
+    }
+    if (outcome.status == cv::Stitcher::OK)
+        outcome.kept = stitcher->component();
+}
+
+/** Turns a column's picture, which comes out turned to the left by 90 degrees, back.
+
+Cameras store photographs lying and note the turn of those that were taken upright. A note that lays photographs on their side that were stored
+upright is a stale one, as programs leave it that turn the pixels and forget the note: where such photographs stand in a column,
+it is undone. */
+void standUp(const Job& job, cv::Mat& panorama, Outcome& outcome)
+{
+    const cv::Size photograph = readImage(job.paths[0]).size();
+    const int noted = photograph.width > photograph.height ? notedTurn(job.paths[0]) : 0;
+    if (noted != 0)
+        outcome.decisions.push_back("the picture does without the turn that is noted in the photographs: it lays on their side what was "
+                                    "stored upright, and they stand in a column");
+    // Turned to the right once, and to the left as often as the note did to the right.
+    const int turns = (1 - noted + 4) % 4;
+    if (turns == 1)
+        cv::rotate(panorama, panorama, cv::ROTATE_90_CLOCKWISE);
+    if (turns == 2)
+        cv::rotate(panorama, panorama, cv::ROTATE_180);
 }
 
 int stitch(const Job& job)
@@ -242,27 +340,32 @@ int stitch(const Job& job)
     clock.start();
     const std::vector<cv::Mat> images = readAll(job.paths);
     stages.read = lap();
-    const cv::Ptr<cv::Stitcher> stitcher = makeStitcher(job.setup);
+    cv::Ptr<cv::Stitcher> stitcher;
     cv::Ptr<StitcherBinding> binding;
-    if (job.gcpw)
-        binding = attach(stitcher, job.params, terminalProgress());
-    cv::Stitcher::Status status = findCameras(job, images, *stitcher, binding.get());
+    Outcome outcome;
+    prepare(job, images, stitcher, binding, outcome);
+    releaseFreedMemory();
     stages.cameras = lap();
-    const std::vector<int> kept = status == cv::Stitcher::OK ? stitcher->component() : std::vector<int>();
     cv::Mat panorama;
-    if (status == cv::Stitcher::OK)
-        status = stitcher->composePanorama(panorama);
+    if (outcome.status == cv::Stitcher::OK)
+        outcome.status = stitcher->composePanorama(panorama);
+    if (outcome.turned && !panorama.empty())
+        standUp(job, panorama, outcome);
     stages.compose = lap();
     endProgress();
+    if (outcome.reason.empty())
+        outcome.reason = explain(outcome.status);
     if (!job.report.empty())
-        writeText(job.report, reportText(job, explain(status), kept, binding.get(), stages, panorama.size()));
-    if (status != cv::Stitcher::OK)
+        writeText(job.report, reportText(job, outcome, binding.get(), stages, panorama.size()));
+    for (const std::string& decision : outcome.decisions)
+        std::cout << decision << '\n';
+    if (outcome.status != cv::Stitcher::OK)
     {
-        std::cerr << "gcpw_stitch: " << explain(status) << '\n';
+        std::cerr << "gcpw_stitch: " << outcome.reason << '\n';
         return EXIT_NO_ALIGNMENT;
     }
     for (size_t i = 0; i < job.paths.size(); ++i)
-        if (std::find(kept.begin(), kept.end(), static_cast<int>(i)) == kept.end())
+        if (std::find(outcome.kept.begin(), outcome.kept.end(), static_cast<int>(i)) == outcome.kept.end())
             std::cout << "dropped " << job.paths[i] << ": it matches none of the others well enough\n";
     if (binding && !binding->rig().alignment.report().message.empty())
         std::cout << binding->rig().alignment.report().message << '\n';
@@ -271,7 +374,7 @@ int stitch(const Job& job)
         binding->rig().save(job.save_model);
     if (!job.dump.empty())
         dumpWarped(job.dump, *stitcher, images);
-    std::cout << job.output << ": " << panorama.cols << " x " << panorama.rows << " of " << kept.size() << " images, "
+    std::cout << job.output << ": " << panorama.cols << " x " << panorama.rows << " of " << outcome.kept.size() << " images, "
               << cvRound(stages.read + stages.cameras + stages.compose) << " ms\n";
     return EXIT_STITCHED;
 }

@@ -21,6 +21,7 @@ FLOORS = {
     "rendering": 2,
     "energy": 3,
     "registration": 4,
+    "cameras": 4,
     "color": 4,
     "optimization": 5,
     "api": 6,

@@ -124,6 +124,20 @@ cv::Mat readBgr(const std::string& path)
     return image;
 }
 
+int notedTurn(const std::string& path)
+{
+    const cv::Mat seen = cv::imread(path, cv::IMREAD_GRAYSCALE);
+    const cv::Mat stored = cv::imread(path, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+    for (const int turn : {1, 3})
+    {
+        cv::Mat turned;
+        cv::rotate(stored, turned, turn == 1 ? cv::ROTATE_90_CLOCKWISE : cv::ROTATE_90_COUNTERCLOCKWISE);
+        if (!seen.empty() && turned.size() == seen.size() && cv::norm(turned, seen, cv::NORM_INF) == 0)
+            return turn;
+    }
+    return 0;
+}
+
 void checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& images, const std::vector<std::string>& others,
                   const std::string& dump)
 {

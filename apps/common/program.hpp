@@ -35,6 +35,10 @@ cv::Mat readImage(const std::string& path);
 /// The same as 8-bit BGR, which is all that cv::Stitcher takes.
 cv::Mat readBgr(const std::string& path);
 
+/// Quarter turns to the right by which the orientation that a camera noted turns a photograph when it is read: 0, 1 or 3, and 0
+/// for half a turn.
+int notedTurn(const std::string& path);
+
 /** @brief Refuses, before any work, what would overwrite a file that is read or another one that is written, an option without a
 name, and an image's ending that OpenCV does not know. Throws WrongUse that names the file.
 @param inputs files that are read

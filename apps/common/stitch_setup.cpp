@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "common/stitch_setup.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <opencv2/stitching/detail/matchers.hpp>
 #include <opencv2/stitching/detail/motion_estimators.hpp>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 #include "common/program.hpp"
+#include "common/tiled_blender.hpp"
 
 namespace
 {
@@ -91,7 +93,7 @@ cv::Ptr<detail::Blender> blenderOf(const std::string& name)
     return choose<B>("blend", name,
                      {{"no", [] { return B::createDefault(B::NO); }},
                       {"feather", [] { return B::createDefault(B::FEATHER); }},
-                      {"multiband", [] { return B::createDefault(B::MULTI_BAND); }}});
+                      {"multiband", make<B, TiledBlender>()}});
 }
 
 cv::Ptr<detail::ExposureCompensator> compensatorOf(const std::string& name)
@@ -131,25 +133,54 @@ protected:
     }
 };
 
-void setMatcher(const StitchSetup& setup, bool scans, cv::Stitcher& stitcher)
+cv::Ptr<detail::FeaturesMatcher> matcherOf(const StitchSetup& setup, float confidence)
 {
-    const float confidence = static_cast<float>(setup.match_conf);
-    cv::Ptr<detail::FeaturesMatcher> matcher;
-    if (scans)
-        matcher = cv::makePtr<Repeatable<detail::AffineBestOf2NearestMatcher>>(false, false, confidence);
-    else if (setup.range_width > 0)
-        matcher = cv::makePtr<Repeatable<detail::BestOf2NearestRangeMatcher>>(setup.range_width, false, confidence);
-    else
-        matcher = cv::makePtr<Repeatable<detail::BestOf2NearestMatcher>>(false, confidence);
-    stitcher.setFeaturesMatcher(matcher);
+    if (setup.mode == "scans")
+        return cv::makePtr<Repeatable<detail::AffineBestOf2NearestMatcher>>(false, false, confidence);
+    if (setup.range_width > 0)
+        return cv::makePtr<Repeatable<detail::BestOf2NearestRangeMatcher>>(setup.range_width, false, confidence);
+    return cv::makePtr<Repeatable<detail::BestOf2NearestMatcher>>(false, confidence);
+}
+
+void setCameraSearch(const StitchSetup& setup, cv::Stitcher& stitcher)
+{
+    stitcher.setBundleAdjuster(adjusterOf(setup.ba.empty() ? "ray" : setup.ba));
+    stitcher.setWaveCorrection(setup.wave_correct != "no");
+    stitcher.setWaveCorrectKind(setup.wave_correct == "vert" ? detail::WAVE_CORRECT_VERT : detail::WAVE_CORRECT_HORIZ);
 }
 
 } // namespace
 
+void checkSetup(const StitchSetup& setup)
+{
+    if (setup.mode != "auto" && setup.mode != "panorama" && setup.mode != "scans")
+        throw WrongUse("unknown mode '" + setup.mode + "'; there are auto, panorama, scans");
+    const std::string& kind = setup.wave_correct;
+    if (!kind.empty() && kind != "no" && kind != "horiz" && kind != "vert")
+        throw WrongUse("unknown wave_correct '" + kind + "'; there are no, horiz, vert");
+    if (!setup.ba.empty())
+        adjusterOf(setup.ba);
+    if (setup.mode == "auto" && (!setup.ba.empty() || !kind.empty()))
+        throw WrongUse("--mode=auto chooses bundle adjustment and wave correction itself; --ba and --wave_correct are for --mode=panorama");
+}
+
+cv::gcpw::CameraOptions cameraOptions(const StitchSetup& setup)
+{
+    // Of matches that only looking at both pictures confirms: the usual ratio of the nearest to the second nearest, 0.75.
+    const float loose = 0.25F;
+    cv::gcpw::CameraOptions options;
+    options.workMegapix = setup.work_megapix;
+    options.confidence = setup.conf_thresh;
+    options.projection = setup.warp;
+    options.finder = finderOf(setup.features);
+    options.matcher = matcherOf(setup, static_cast<float>(setup.match_conf));
+    options.secondMatcher = matcherOf(setup, std::min(loose, static_cast<float>(setup.match_conf)));
+    return options;
+}
+
 cv::Ptr<cv::Stitcher> makeStitcher(const StitchSetup& setup)
 {
-    if (setup.mode != "panorama" && setup.mode != "scans")
-        throw WrongUse("unknown mode '" + setup.mode + "'; there are panorama, scans");
+    checkSetup(setup);
     const bool scans = setup.mode == "scans";
     const cv::Ptr<cv::Stitcher> stitcher = cv::Stitcher::create(scans ? cv::Stitcher::SCANS : cv::Stitcher::PANORAMA);
     stitcher->setRegistrationResol(setup.work_megapix);
@@ -157,18 +188,13 @@ cv::Ptr<cv::Stitcher> makeStitcher(const StitchSetup& setup)
     stitcher->setCompositingResol(setup.compose_megapix > 0 ? setup.compose_megapix : cv::Stitcher::ORIG_RESOL);
     stitcher->setPanoConfidenceThresh(setup.conf_thresh);
     stitcher->setFeaturesFinder(finderOf(setup.features));
-    setMatcher(setup, scans, *stitcher);
+    stitcher->setFeaturesMatcher(matcherOf(setup, static_cast<float>(setup.match_conf)));
     stitcher->setWarper(warperOf(!setup.warp.empty() ? setup.warp : scans ? "affine" : "spherical"));
     stitcher->setSeamFinder(seamOf(setup.seam));
     stitcher->setBlender(blenderOf(setup.blend));
     stitcher->setExposureCompensator(compensatorOf(scans ? "no" : setup.expos_comp));
-    if (scans)
-        return stitcher;
-    stitcher->setBundleAdjuster(adjusterOf(setup.ba));
-    if (setup.wave_correct != "no" && setup.wave_correct != "horiz" && setup.wave_correct != "vert")
-        throw WrongUse("unknown wave_correct '" + setup.wave_correct + "'; there are no, horiz, vert");
-    stitcher->setWaveCorrection(setup.wave_correct != "no");
-    stitcher->setWaveCorrectKind(setup.wave_correct == "vert" ? detail::WAVE_CORRECT_VERT : detail::WAVE_CORRECT_HORIZ);
+    if (!scans)
+        setCameraSearch(setup, *stitcher);
     return stitcher;
 }
 

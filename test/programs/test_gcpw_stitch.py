@@ -2,7 +2,7 @@
 # This file is part of OpenCV project.
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
-"""gcpw_stitch: pictures, dump, report, models, the plain pipeline, refusals.
+"""gcpw_stitch: pictures, choices, dump, report, models, the plain pipeline, refusals.
 
 Usage: test_gcpw_stitch.py PROGRAMS SCRATCH SAMPLES"""
 import json
@@ -11,7 +11,7 @@ import re
 from harness import NO_ALIGNMENT, main
 
 QUICK = ("--work_megapix=0.15", "--compose_megapix=0.15", "--seam=dp_color")
-REPORT = {"status", "method", "width", "height", "images", "dropped", "timings_ms"}
+REPORT = {"status", "method", "width", "height", "images", "dropped", "decisions", "timings_ms"}
 ALIGNMENT = {"status", "message", "estimations", "folds", "max_displacement_px", "gain_min", "gain_max", "pairs", "timings_ms"}
 
 
@@ -32,6 +32,18 @@ def stitches(bench, photos):
     bench.check(alignment["status"] == "ok" and alignment["estimations"] == 1 and alignment["folds"] == 0, f"{alignment}")
     for pair in alignment["pairs"]:
         bench.check(pair["miss_after"] < 0.5 * pair["miss_before"], f"not refined: {pair}")
+
+
+def tells_its_choices(bench, photos):
+    """Mode auto says which cameras and projection it took; the modes by name choose nothing."""
+    decisions = report_of(bench, "report.json")["decisions"]
+    for word in ("cameras", "projection", "photograph 3 was left out"):
+        bench.check(any(word in decision for decision in decisions), f"nothing is said of {word}: {decisions}")
+    bench.run("gcpw_stitch", *photos, *QUICK, "--mode=panorama", "--ba=reproj", "--wave_correct=no", "--method=none", "--output=named.png",
+              "--report=named.json")
+    bench.check(report_of(bench, "named.json")["decisions"] == [], "mode panorama made choices of its own")
+    bench.run("gcpw_stitch", *photos, *QUICK, "--warp=cylindrical", "--method=none", "--output=forced.png", says="projection is cylindrical")
+    bench.run("gcpw_stitch", *photos, *QUICK, "--warp=affine", "--method=none", "--output=flat.png", says="projection is affine")
 
 
 def dumps(bench):
@@ -101,6 +113,7 @@ def refuses(bench, photos):
     for arguments, says in (((), "two photographs"), (photos[:1], "two photographs"), ((photos[0], "missing.png"), "missing.png"),
                             ((photos[0], "text.jpg"), "text.jpg"), ((*photos, "--method=best"), "gcpw, none"),
                             ((*photos, "--warp=ball"), "spherical"), ((*photos, "--mode=map"), "scans"),
+                            ((*photos, "--ba=ray"), "--mode=panorama"), ((*photos, "--wave_correct=no"), "--mode=panorama"),
                             ((*photos, "--seams=no"), "--seams"), ((*photos, "--reference=3"), "--reference"),
                             ((*photos, "--work_megapix=-1"), "--work_megapix"), ((*photos, "--set=meshCols=1"), "meshCols"),
                             ((*photos, "--load_model=missing.yml"), "missing.yml"), ((*photos, "--load_model=bad.yml"), "bad.yml"),
@@ -115,6 +128,7 @@ def test(bench):
     photos = bench.synthetic_pair()
     bench.flat_image("gray.pgm", 800, 600)
     stitches(bench, photos)
+    tells_its_choices(bench, photos)
     dumps(bench)
     reuses_a_model(bench, photos)
     refuses_a_model_of_others(bench, photos)

@@ -30,6 +30,7 @@ stitcher->stitch(photographs, panorama);
 | aligner.hpp | Aligner: any number of roughly aligned images |
 | pair.hpp | alignPair, stitchPair: two photographs |
 | pair_matches.hpp | PairMatches: what two photographs have in common, found once |
+| cameras.hpp | estimateCameras: cameras and projection of a set of photographs, where cv::Stitcher gives up |
 | stitcher.hpp | attach: GCPW inside cv::Stitcher |
 | rig.hpp | Rig: an alignment with its cameras, for many frames |
 | warper.hpp | GcpwWarper: the meshes of a rig behind any warper |
@@ -39,6 +40,7 @@ stitcher->stitch(photographs, panorama);
 
 #include "opencv2/gcpw/aligner.hpp"
 #include "opencv2/gcpw/alignment.hpp"
+#include "opencv2/gcpw/cameras.hpp"
 #include "opencv2/gcpw/compensator.hpp"
 #include "opencv2/gcpw/pair.hpp"
 #include "opencv2/gcpw/pair_matches.hpp"

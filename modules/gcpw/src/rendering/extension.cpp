@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "rendering/extension.hpp"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 namespace cv
@@ -13,6 +14,7 @@ namespace gcpw
 namespace
 {
 
+const int BAND = 128; ///< coarse rows that are made at once
 const int COARSE = 4; ///< px a side that get one colour outside: no difference in coarse bands, in a quarter of the time
 
 /// Push: colours times coverage, and coverage, at half the size. Pull: where nothing is covered, the coarser colours.
@@ -48,13 +50,23 @@ void extendOutside(Mat& image, const Mat& mask)
         return;
     image.setTo(Scalar::all(0), outside);
     const Size coarse((image.cols + COARSE - 1) / COARSE, (image.rows + COARSE - 1) / COARSE);
+    Mat covered_colors(coarse, CV_32FC(image.channels()));
+    Mat coverage(coarse, CV_32F);
+    // In bands of rows: floats of a whole picture are twelve bytes a pixel.
     Mat wide;
-    Mat covered_colors;
-    image.convertTo(wide, CV_32F);
-    resize(wide, covered_colors, coarse, 0, 0, INTER_AREA);
-    Mat coverage;
-    Mat(outside == 0).convertTo(wide, CV_32F, 1 / 255.0);
-    resize(wide, coverage, coarse, 0, 0, INTER_AREA);
+    for (int top = 0; top < coarse.height; top += BAND)
+    {
+        const int bottom = std::min(top + BAND, coarse.height);
+        const Range rows(top * COARSE, std::min(bottom * COARSE, image.rows));
+        const Size size(coarse.width, bottom - top);
+        image.rowRange(rows).convertTo(wide, CV_32F);
+        Mat colors = covered_colors.rowRange(top, bottom);
+        resize(wide, colors, size, 0, 0, INTER_AREA);
+        Mat(outside.rowRange(rows) == 0).convertTo(wide, CV_32F, 1 / 255.0);
+        Mat share = coverage.rowRange(top, bottom);
+        resize(wide, share, size, 0, 0, INTER_AREA);
+    }
+    wide.release();
     Mat result;
     filled(covered_colors, coverage).convertTo(result, image.depth());
     resize(result, result, image.size(), 0, 0, INTER_LINEAR);

@@ -15,6 +15,13 @@ namespace cv
 namespace gcpw
 {
 
+/// Whether keypoints found by others are enough for a mesh: from fewer it is poorly informed, and more are looked for.
+inline bool areEnough(const KnownKeypoints& keypoints)
+{
+    const size_t enough = 1000;
+    return keypoints.points.size() >= enough;
+}
+
 /// The images that a features finder was called with, and what it found.
 struct CapturedImages
 {

@@ -58,6 +58,8 @@ void Rig::save(const std::string& path) const
     writeFile(path, KIND, [this](FileStorage& file)
     {
         file << "scale" << scale << "work_scale" << work_scale << "component" << component << "turns" << turns;
+        if (!projection.empty())
+            file << "projection" << projection << "turned" << turned;
         file << "cameras" << "[";
         for (size_t i = 0; i < cameras.size(); ++i)
         {
@@ -81,6 +83,8 @@ Rig Rig::load(const std::string& path)
         root["work_scale"] >> rig.work_scale;
         root["component"] >> rig.component;
         root["turns"] >> rig.turns;
+        root["projection"] >> rig.projection;
+        root["turned"] >> rig.turned;
         bool sizes_known = false;
         for (const FileNode& node : root["cameras"])
         {

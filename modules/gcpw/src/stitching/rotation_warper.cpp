@@ -110,6 +110,13 @@ public:
         key_ = key;
     }
 
+    /// Nobody asks for an image again once its mask was warped, and the blender needs the memory.
+    void forgetMaps()
+    {
+        x_map.release();
+        y_map.release();
+    }
+
     Mat x_map;
     Mat y_map;
     Rect roi;
@@ -189,7 +196,8 @@ Rect GcpwRotationWarper::buildMaps(Size src_size, InputArray K, InputArray R, Ou
 
 Point GcpwRotationWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, OutputArray dst)
 {
-    const Impl::CameraCall camera_call = impl_->camera_call(K, R, impl_->kindOf(src.channels(), interp_mode, border_mode));
+    const Call kind = impl_->kindOf(src.channels(), interp_mode, border_mode);
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, kind);
     if (camera_call.index < 0)
     {
         checkRoi(impl_->base->warpRoi(src.size(), camera_call.K, Mat(camera_call.R)));
@@ -203,6 +211,8 @@ Point GcpwRotationWarper::warp(InputArray src, InputArray K, InputArray R, int i
     // With these border modes the base warper fills all of its picture too: blenders mix what lies beyond the border.
     if (border_mode == BORDER_REFLECT || border_mode == BORDER_REFLECT_101 || border_mode == BORDER_REPLICATE)
         extendOutside(picture, (impl_->x_map != -1) | (impl_->y_map != -1));
+    if (kind == Call::Mask)
+        impl_->forgetMaps();
     return impl_->roi.tl();
 }
 

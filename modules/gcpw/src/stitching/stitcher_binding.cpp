@@ -17,7 +17,6 @@ namespace gcpw
 namespace
 {
 
-const size_t ENOUGH_KEYPOINTS = 1000; ///< in an image: from fewer, a mesh is poorly informed and more are looked for
 const char* const WARPER = "warper";
 const char* const COMPENSATOR = "exposure compensator";
 const char* const FINDER = "features finder";
@@ -205,7 +204,7 @@ std::vector<KnownKeypoints> Binding::keypointsOf(const std::vector<int>& compone
         return keypoints;
     for (const int index : component)
     {
-        if (index >= static_cast<int>(shown_->keypoints.size()) || shown_->keypoints[index].points.size() < ENOUGH_KEYPOINTS)
+        if (index >= static_cast<int>(shown_->keypoints.size()) || !areEnough(shown_->keypoints[index]))
             return {};
         keypoints.push_back(shown_->keypoints[index]);
     }

@@ -17,6 +17,7 @@ namespace gcpw
 namespace
 {
 
+const int BAND = 1024;        ///< rows looked up at once, for the sake of memory
 const int BORDER_STEPS = 64;   ///< pieces of an image's side whose bend inside a piece is below a pixel
 const int FORWARD_STEP = 8;    ///< px between exact forward positions; both maps bend far more slowly
 const float TORN = 1000;       ///< px between neighbours of a base map: behind the camera, not in the picture
@@ -134,21 +135,25 @@ void WarpMaps::look(const MeshGrid& mesh, const Mat& base_x, const Mat& base_y, 
 {
     Mat reference;
     Mat mask;
-    buildInverseMap(mesh, FrameScale(), FrameScale(), roi, reference, mask);
-    parallel_for_(Range(0, roi.height), [&](const Range& rows)
+    for (int top = 0; top < roi.height; top += BAND)
     {
-        for (int y = rows.start; y < rows.end; ++y)
-            for (int x = 0; x < roi.width; ++x)
-            {
-                if (mask.at<uchar>(y, x) == 0)
-                    continue;
-                const Vec2f lattice_px = reference.at<Vec2f>(y, x);
-                const Point2d from = placed_.referencePoint(Point2d(lattice_px[0], lattice_px[1])) - Point2d(turn_px_, 0);
-                const Vec2f found = readMaps(base_x, base_y, from - Point2d(corner));
-                x_map.at<float>(y, x) = found[0];
-                y_map.at<float>(y, x) = found[1];
-            }
-    });
+        const int height = std::min(BAND, roi.height - top);
+        buildInverseMap(mesh, FrameScale(), FrameScale(), Rect(roi.x, roi.y + top, roi.width, height), reference, mask);
+        parallel_for_(Range(0, height), [&](const Range& rows)
+        {
+            for (int y = rows.start; y < rows.end; ++y)
+                for (int x = 0; x < roi.width; ++x)
+                {
+                    if (mask.at<uchar>(y, x) == 0)
+                        continue;
+                    const Vec2f lattice_px = reference.at<Vec2f>(y, x);
+                    const Point2d from = placed_.referencePoint(Point2d(lattice_px[0], lattice_px[1])) - Point2d(turn_px_, 0);
+                    const Vec2f found = readMaps(base_x, base_y, from - Point2d(corner));
+                    x_map.at<float>(top + y, x) = found[0];
+                    y_map.at<float>(top + y, x) = found[1];
+                }
+        });
+    }
 }
 
 void WarpMaps::build(Size image, Rect roi, Mat& x_map, Mat& y_map) const

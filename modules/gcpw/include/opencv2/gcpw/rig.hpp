@@ -30,7 +30,7 @@ if (rig.usable())
 struct CV_EXPORTS_W_SIMPLE Rig
 {
     /// Without cameras: not usable().
-    CV_WRAP Rig() : scale(0), work_scale(1) {}
+    CV_WRAP Rig() : scale(0), work_scale(1), turned(false) {}
 
     CV_PROP_RW Alignment alignment; //!< image k belongs to camera k; no images if nothing could be estimated (see its report)
     CV_PROP_RW std::vector<cv::detail::CameraParams> cameras; //!< at the resolution of the estimation; R is CV_32F
@@ -40,6 +40,8 @@ struct CV_EXPORTS_W_SIMPLE Rig
     CV_PROP_RW std::vector<double> turns;
     CV_PROP_RW float scale;       //!< of the base warper that made the canvas: canvas pixels per radian, > 0 if usable
     CV_PROP_RW double work_scale; //!< pixels of the estimation per pixel of the photographs as given, > 0
+    CV_PROP_RW String projection; //!< name of the base warper, as alignRigByName() knows them; empty if it is not known
+    CV_PROP_RW bool turned;       //!< the picture comes out turned to the left by 90 degrees, see CameraEstimate
 
     /** @brief Whether there is a refinement to render: status OK, meshes, and nothing that check() refuses.
 

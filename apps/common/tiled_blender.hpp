@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+#ifndef GCPW_APPS_TILED_BLENDER_HPP
+#define GCPW_APPS_TILED_BLENDER_HPP
+
+#include <vector>
+#include <opencv2/stitching/detail/blenders.hpp>
+
+/** @brief cv::detail::MultiBandBlender tile by tile, with a fraction of its memory.
+
+OpenCV keeps pyramids of the whole panorama and builds those of a whole image, together some 40 bytes a pixel. Here an image is kept as it
+was fed, 8-bit and only where it shows, and each tile of the panorama is blended by itself, with a margin as wide as the coarsest
+band reaches. The picture differs by rounding at most. */
+class TiledBlender : public cv::detail::Blender
+{
+public:
+    void prepare(cv::Rect roi) override;
+    void feed(cv::InputArray image, cv::InputArray mask, cv::Point corner) override;
+    void blend(cv::InputOutputArray picture, cv::InputOutputArray mask) override;
+
+private:
+    struct Part
+    {
+        cv::Mat image; ///< CV_8UC3
+        cv::Mat mask;
+        cv::Point corner;
+    };
+
+    /// Blends all parts inside `outer`. @param picture, mask of that size
+    void blendTile(cv::Rect outer, cv::Mat& picture, cv::Mat& mask) const;
+
+    cv::Rect roi_;
+    std::vector<Part> parts_;
+};
+
+#endif

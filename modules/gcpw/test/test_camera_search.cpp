@@ -1,0 +1,134 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+#include "test_precomp.hpp"
+
+#include "camera_scene.hpp"
+#include "cameras/camera_search.hpp"
+#include "seeded.hpp"
+#include "stitching/affine_warper.hpp"
+#include "stitching/warper_names.hpp"
+
+namespace opencv_test
+{
+namespace
+{
+
+using gcpw::CameraChoice;
+using gcpw::CameraModel;
+using gcpw::LinkedImages;
+
+Ptr<cv::detail::RotationWarper> makeWarper(const std::string& name, float scale)
+{
+    return gcpw::trueWarper(gcpw::warperOfName(name)->create(scale));
+}
+
+CameraChoice found(const LinkedImages& images)
+{
+    return gcpw::searchCameras(images, 1, makeWarper, std::string());
+}
+
+std::vector<Matx33d> strip()
+{
+    return {turnOf(-0.6), turnOf(-0.2, 0.02), turnOf(0.2, -0.02), turnOf(0.6)};
+}
+
+bool says(const CameraChoice& choice, const std::string& words)
+{
+    for (const std::string& decision : choice.decisions)
+        if (decision.find(words) != std::string::npos)
+            return true;
+    return false;
+}
+
+TEST(Gcpw_CameraSearch, cameras_that_turn_are_found_with_their_own_focal_lengths)
+{
+    const CameraChoice choice = found(linkedBy(4, linksOfTurning(strip(), 600)));
+    EXPECT_EQ(choice.component, (std::vector<int>{0, 1, 2, 3}));
+    ASSERT_EQ(choice.cameras.size(), size_t(4));
+    EXPECT_EQ(choice.model, CameraModel::TURNING);
+    for (const cv::detail::CameraParams& camera : choice.cameras)
+        EXPECT_NEAR(camera.focal, 600, 12);
+    EXPECT_TRUE(says(choice, "focal length of its own")) << "the choice is not told";
+}
+
+TEST(Gcpw_CameraSearch, where_single_focal_lengths_explode_all_get_one)
+{
+    // Few matches along a line leave the focal length of the last image open, and noise runs away with it.
+    std::vector<gcpw::Link> links = linksOfTurning(strip(), 600);
+    RNG rng = seeded(2);
+    for (gcpw::Link& link : links)
+        if (link.b == 3)
+        {
+            link.points_a.resize(24);
+            link.points_b.resize(24);
+            for (Point2f& p : link.points_b)
+                p = Point2f(0.25F * p.x, 0.25F * p.y) + Point2f(rng.uniform(-2.F, 2.F), rng.uniform(-2.F, 2.F));
+        }
+    const CameraChoice choice = found(linkedBy(4, links));
+    ASSERT_FALSE(choice.cameras.empty());
+    EXPECT_NE(choice.model, CameraModel::TURNING);
+    EXPECT_TRUE(says(choice, "were not taken"));
+}
+
+TEST(Gcpw_CameraSearch, photographs_of_a_plane_far_apart_are_laid_beside_each_other)
+{
+    // A camera that moves along a wall: as a turning one it would see more than a circle.
+    const std::vector<gcpw::Link> links =
+        linksBy(12, [](int a, int b) { return Matx33d(1, 0, -400.0 * (b - a), 0, 1, 0, 0, 0, 1); });
+    const CameraChoice choice = found(linkedBy(12, links));
+    ASSERT_EQ(choice.cameras.size(), size_t(12));
+    const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::pictureScale(choice.cameras));
+    const gcpw::PictureShape shape = gcpw::shapeOfPicture(choice.cameras, sizesOf(12), *warper, 0);
+    EXPECT_EQ(shape.fault, "");
+    EXPECT_LT(shape.area, 1);
+}
+
+TEST(Gcpw_CameraSearch, photographs_of_a_plane_are_not_bent_onto_a_sphere)
+{
+    // Near enough to each other that turning cameras fit them somehow.
+    const std::vector<gcpw::Link> links =
+        linksBy(4, [](int a, int b) { return Matx33d(1, 0, -250.0 * (b - a), 0, 1, 0, 0, 0, 1); });
+    const CameraChoice choice = found(linkedBy(4, links));
+    ASSERT_EQ(choice.cameras.size(), size_t(4));
+    const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::pictureScale(choice.cameras));
+    for (const double miss : gcpw::missesOf(choice.cameras, links, *warper, 0))
+        EXPECT_LT(miss, 0.004 * SHOT.width);
+}
+
+TEST(Gcpw_CameraSearch, an_image_without_links_is_left_out)
+{
+    const CameraChoice choice = found(linkedBy(5, linksOfTurning(strip(), 600)));
+    EXPECT_EQ(choice.component, (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_EQ(choice.cameras.size(), size_t(4));
+}
+
+TEST(Gcpw_CameraSearch, images_without_any_link_have_no_cameras_and_a_reason)
+{
+    const CameraChoice choice = found(linkedBy(3, std::vector<gcpw::Link>()));
+    EXPECT_TRUE(choice.cameras.empty());
+    EXPECT_TRUE(choice.component.empty());
+    ASSERT_FALSE(choice.decisions.empty());
+    EXPECT_NE(choice.decisions.back().find("match"), std::string::npos);
+}
+
+TEST(Gcpw_CameraSearch, links_that_contradict_each_other_make_no_absurd_picture)
+{
+    // Each link zooms by two: around the circle the last would be eight times the first, which it also equals.
+    std::vector<gcpw::Link> links =
+        linksBy(4, [](int a, int b) { return b - a == 3 ? Matx33d::eye() : Matx33d(2, 0, -300, 0, 2, -200, 0, 0, 1); });
+    const CameraChoice choice = found(linkedBy(4, links));
+    for (size_t i = 0; i < choice.cameras.size(); ++i)
+        EXPECT_TRUE(checkRange(choice.cameras[i].R));
+    if (!choice.cameras.empty())
+    {
+        const float scale = gcpw::pictureScale(choice.cameras);
+        EXPECT_EQ(gcpw::shapeOfPicture(choice.cameras, sizesOf(choice.cameras.size()),
+                                       *makeWarper(choice.projection, scale), 0)
+                      .fault,
+                  "");
+    }
+}
+
+} // namespace
+} // namespace opencv_test
