@@ -28,6 +28,7 @@ SceneOptions sceneAt(double shift_px, uint64_t displacement_seed)
 Params withReference(int reference)
 {
     Params params;
+    params.outsideWeight = 0; // what alignPair() does not have
     params.referenceImage = reference;
     return params;
 }

@@ -54,6 +54,7 @@ public:
             builder.findFeatures(keypoints);
         builder.findMatches(kinds, correspondences);
         builder.keepStraight(lines);
+        builder.keepOutside();
         return builder.align();
     }
 

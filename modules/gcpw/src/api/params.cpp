@@ -39,6 +39,7 @@ const Field FIELDS[] = {
     {"geometricWeight", nullptr, &Params::geometricWeight, 0, HEAVIEST, true},
     {"similarityWeight", nullptr, &Params::similarityWeight, 0, HEAVIEST, false},
     {"stretchLimit", nullptr, &Params::stretchLimit, 0, LARGEST, true},
+    {"outsideWeight", nullptr, &Params::outsideWeight, 0, HEAVIEST, true},
     {"straightnessWeight", nullptr, &Params::straightnessWeight, 0, HEAVIEST, true},
     {"colorSmoothnessWeight", nullptr, &Params::colorSmoothnessWeight, 0, HEAVIEST, false},
     {"colorRestWeight", nullptr, &Params::colorRestWeight, 0, HEAVIEST, false},
@@ -91,6 +92,7 @@ Params::Params()
     geometricWeight = 1;
     similarityWeight = 0.12;
     stretchLimit = 0.5;
+    outsideWeight = 0.3;
     straightnessWeight = 4;
     colorSmoothnessWeight = 100;
     colorRestWeight = 1;
@@ -122,6 +124,7 @@ Params Params::paper()
     p.similarityWeight = 0.5;
     p.stretchLimit = 0;
     p.straightnessWeight = 0;
+    p.outsideWeight = 0;
     p.colorSmoothnessWeight = 1;
     p.sampleStep = 3;
     p.maxIterations = 1000;
@@ -144,6 +147,7 @@ Params Params::alignmentOnly()
     p.similarityWeight = 0.2;
     p.stretchLimit = 0;
     p.straightnessWeight = 0;
+    p.outsideWeight = 0;
     return p;
 }
 

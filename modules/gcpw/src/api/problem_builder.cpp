@@ -101,6 +101,13 @@ void ProblemBuilder::keepStraight(const std::vector<KnownLines>& known)
     report_.timings_ms.features += millisecondsSince(tick);
 }
 
+void ProblemBuilder::keepOutside()
+{
+    for (size_t i = 0; !failed() && params_.outsideWeight > 0 && i < problem_.images.size(); ++i)
+        if (!problem_.images[i].fixed)
+            problem_.images[i].outside = distanceOutside(problem_.images[i].rough, neighboursOf(static_cast<int>(i)));
+}
+
 void ProblemBuilder::startFromHomography()
 {
     CV_DbgAssert(images_.size() == 2);
@@ -134,6 +141,17 @@ void ProblemBuilder::startFrom(const RoughStart& start)
         report_.status = Status::ROUGH;
         report_.message = "no two images overlap; the rough alignment was kept";
     }
+}
+
+std::vector<Neighbour> ProblemBuilder::neighboursOf(int image) const
+{
+    std::vector<Neighbour> neighbours;
+    for (const ProblemPair& pair : problem_.pairs)
+        if (pair.a == image)
+            neighbours.push_back({&problem_.images[pair.b].rough, pair.shift_b});
+        else if (pair.b == image)
+            neighbours.push_back({&problem_.images[pair.a].rough, -pair.shift_b});
+    return neighbours;
 }
 
 void ProblemBuilder::findMatches(MatchKinds kinds, const std::vector<Correspondences>& known)

@@ -9,6 +9,7 @@
 #include "api/work_image.hpp"
 #include "energy/problem.hpp"
 #include "opencv2/gcpw/aligner.hpp"
+#include "overlap/outside_distance.hpp"
 #include "registration/pair_matcher.hpp"
 
 namespace cv
@@ -46,6 +47,11 @@ public:
     @param known one entry for each image; if there is none, line segments are looked for at the working resolution */
     void keepStraight(const std::vector<KnownLines>& known = std::vector<KnownLines>());
 
+    /** @brief What no other image shows is to keep its size and direction.
+
+    For images whose rough alignment is sound beyond the overlap, as that of cameras is; a homography fitted to one overlap is not. */
+    void keepOutside();
+
     /// Matches of the first pair, taken as verified.
     void setMatches(const MatchSet& matches);
 
@@ -60,6 +66,7 @@ public:
 
 private:
     bool goOn(const char* stage, double share);
+    std::vector<Neighbour> neighboursOf(int image) const;
     bool failed() const { return report_.status != Status::OK; }
     MatchSet verified(const std::vector<Correspondences>& known, const ProblemPair& pair) const;
 

@@ -10,6 +10,7 @@
 #include "energy/anchor_term.hpp"
 #include "energy/color_smoothness_term.hpp"
 #include "energy/line_term.hpp"
+#include "energy/outside_term.hpp"
 #include "energy/photometric_term.hpp"
 #include "energy/point_term.hpp"
 #include "energy/similarity_term.hpp"
@@ -24,6 +25,7 @@ namespace
 {
 
 const double STRAIGHT_STEP = 4; ///< px from sample to sample of a curve that is to stay straight: several in every quad
+const double OUTSIDE = 0.1; ///< of the diagonal: how far from the overlap outsideWeight counts once
 const double DEVIATION = 0.1; ///< of the weighted residual of a sample that fits: the unit of robustScale
 
 RobustLoss lossOf(double scale)
@@ -73,6 +75,16 @@ int neighbours(const Problem& problem, int image)
     return static_cast<int>(std::unique(others.begin(), others.end()) - others.begin());
 }
 
+/// Of every quad: from 0 at the overlap to 1 at OUTSIDE of the diagonal from it, and so on.
+std::vector<double> outsideWeights(const ProblemImage& image)
+{
+    const Size size = image.rough.lattice().imageSize();
+    std::vector<double> weights = image.outside;
+    for (double& weight : weights)
+        weight /= OUTSIDE * std::hypot(size.width, size.height);
+    return weights;
+}
+
 /// The terms that keep the shape of an image.
 void addShape(const Problem& problem, int image, const Params& params, Energy& energy)
 {
@@ -80,6 +92,8 @@ void addShape(const Problem& problem, int image, const Params& params, Energy& e
     // Of many images each neighbour pulls, so each brings its share of similarity; then stretch has to matter sooner, too.
     const double pulls = std::max(neighbours(problem, image), 1);
     energy.add(std::make_unique<SimilarityTerm>(image, rough, params.similarityWeight * pulls, params.stretchLimit / std::sqrt(pulls)));
+    if (params.outsideWeight > 0 && !problem.images[image].outside.empty())
+        energy.add(std::make_unique<OutsideTerm>(image, rough, outsideWeights(problem.images[image]), params.outsideWeight));
     if (params.straightnessWeight > 0 && !problem.images[image].straight.empty())
         energy.add(std::make_unique<StraightnessTerm>(image, rough, problem.images[image].straight, STRAIGHT_STEP,
                                                       params.straightnessWeight));

@@ -21,6 +21,7 @@ struct ProblemImage
     MeshGrid rough;                    ///< the rough alignment: where the lattice lies on the canvas before refinement
     std::vector<PyramidLevel> pyramid; ///< may be empty if no method with pixels is used
     std::vector<Curve> straight;       ///< reference px: what is straight in the scene and is to stay so
+    std::vector<double> outside;       ///< of every quad: how far it lies from any overlap, reference px; may be empty
     bool fixed = false;                ///< neither mesh nor colour changes
 };
 

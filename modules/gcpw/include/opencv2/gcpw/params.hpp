@@ -61,7 +61,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     /** @brief The weights for the closest alignment of the overlap, whatever it does to lines and shapes.
 
-    straightnessWeight and stretchLimit are 0, similarityWeight is 0.2; everything else as by default. */
+    straightnessWeight, outsideWeight and stretchLimit are 0, similarityWeight is 0.2; everything else as by default. */
     CV_WRAP static Params alignmentOnly();
 
     /** @brief Looks at all members; called by every function that takes Params.
@@ -129,6 +129,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// values spread parallax over more quads, larger ones let single quads shear. 0: resistance never grows. Typical: 0.1..1.
     /// default 0.5
     CV_PROP_RW double stretchLimit;
+    /// Weight of a squared change of the edge of a quad from the rough alignment, in px^2, >= 0; not in the paper. It grows with the
+    /// distance of the quad from the overlap, from 0 there to this at a tenth of the diagonal, and on. Larger values keep size and
+    /// direction of what only one image shows. 0: it turns and grows with the overlap. Ignored by alignPair(), whose homography is good in
+    /// the overlap alone. Typical: 0.1..3. default 0.3
+    CV_PROP_RW double outsideWeight;
     /// Weight of a squared bend in px^2 of what is straight in the photographs, at one sample, >= 0; not in the paper. Long line
     /// segments of every image, matched or not, may shift and turn but stay as straight as the rough alignment has them. Larger
     /// values hold them more strictly. 0: lines bend with the mesh. Typical: 1..20. default 4
