@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <opencv2/core/utils/logger.hpp>
+#include "color/color_agreement.hpp"
 
 namespace cv
 {
@@ -14,8 +15,12 @@ namespace gcpw
 namespace
 {
 
-const double GAUGE = 1e-3;          ///< share of an overlap: chooses among exposures that fit equally well
-const double NOISE_VARIANCE = 1e-4; ///< of an intensity: the ratio of less contrast than this is noise
+const double GAUGE = 1e-3; ///< share of an overlap: chooses among exposures that fit equally well
+const double NOISE_VARIANCE = 1e-4; ///< of an intensity: the ratio of less contrast is noise
+/// Of Cr and Cb: with less contrast they scale as Y does, as with a longer exposure. A gain of their own tints what is strongly coloured.
+const double COLORFUL_VARIANCE = 5e-3;
+const double DEVIATIONS = 2.5; ///< robust standard deviations beyond which a quad does not show the exposures
+const int ROUNDS = 10;         ///< of re-weighting
 
 /// Normal equations of differences x_a - x_b = d between images; x is exactly 0 where an image is fixed.
 class Differences
@@ -73,15 +78,25 @@ private:
     double total_ = 1e-9;
 };
 
-} // namespace
+/// Logarithm of the gain that gives the source the contrast of the target in a channel.
+double logRatio(const ColorMoments& m, int channel)
+{
+    const double luma = (m.targetVariance(0) + NOISE_VARIANCE) / (m.sourceVariance(0) + NOISE_VARIANCE);
+    if (channel == 0)
+        return 0.5 * std::log(luma);
+    // Symmetric: the two images may change places.
+    const double even = std::sqrt(luma);
+    return 0.5 * std::log((m.targetVariance(channel) + COLORFUL_VARIANCE * even) / (m.sourceVariance(channel) + COLORFUL_VARIANCE / even));
+}
 
-std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
-                                               const std::vector<bool>& fixed)
+/// The exposures that fit these weights.
+std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons, const QuadWeights& weights,
+                                 const std::vector<bool>& gray, const std::vector<bool>& fixed)
 {
     std::vector<ColorMoments> moments(comparisons.size());
     for (size_t k = 0; k < comparisons.size(); ++k)
-        for (const QuadColors& quads : comparisons[k].quads)
-            moments[k].add(quads.moments, correlationWeight(quads.moments));
+        for (size_t q = 0; q < comparisons[k].quads.size(); ++q)
+            moments[k].add(comparisons[k].quads[q].moments, weights[k][q].moments);
     std::vector<ColorGrid::Quad> exposures(fixed.size());
     for (int c = 0; c < CHANNELS; ++c)
     {
@@ -89,10 +104,8 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
         for (size_t k = 0; k < comparisons.size(); ++k)
         {
             const ColorMoments& m = moments[k];
-            if (m.samples() > 0)
-                log_gains.add(comparisons[k].source_image, comparisons[k].target_image,
-                              0.5 * std::log((m.targetVariance(c) + NOISE_VARIANCE) / (m.sourceVariance(c) + NOISE_VARIANCE)),
-                              m.samples());
+            if (m.samples() > 0 && c < comparableChannels(comparisons[k], gray))
+                log_gains.add(comparisons[k].source_image, comparisons[k].target_image, logRatio(m, c), m.samples());
         }
         std::vector<double> found;
         if (!log_gains.solve(found))
@@ -108,13 +121,29 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
             const int a = comparisons[k].source_image;
             const int b = comparisons[k].target_image;
             const ColorMoments& m = moments[k];
-            if (m.samples() > 0)
+            if (m.samples() > 0 && c < comparableChannels(comparisons[k], gray))
                 biases.add(a, b, exposures[b][c].gain * m.targetMean(c) - exposures[a][c].gain * m.sourceMean(c), m.samples());
         }
         if (!biases.solve(found))
             CV_LOG_INFO(nullptr, "gcpw: the images' biases are not determined in channel " << c << "; they are taken as 0");
         for (size_t i = 0; i < exposures.size(); ++i)
             exposures[i][c].bias = found[i];
+    }
+    return exposures;
+}
+
+} // namespace
+
+std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
+                                               const std::vector<bool>& fixed)
+{
+    const std::vector<bool> gray = grayImages(comparisons, fixed.size());
+    const QuadWeights likeness = likenessOf(comparisons);
+    std::vector<ColorGrid::Quad> exposures = fit(comparisons, likeness, gray, fixed);
+    for (int round = 0; round < ROUNDS; ++round)
+    {
+        const ColorOf colors = [&](int image, int) -> const ColorGrid::Quad& { return exposures[image]; };
+        exposures = fit(comparisons, agreementOf(comparisons, likeness, gray, colors, DEVIATIONS), gray, fixed);
     }
     return exposures;
 }

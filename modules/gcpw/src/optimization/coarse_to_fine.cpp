@@ -209,9 +209,12 @@ OptimizeStatus CoarseToFine::run(State& state, std::vector<LevelReport>& report,
         return OptimizeStatus::Done;
     const OptimizeStatus status = refine(state, report);
     const bool shown = status != OptimizeStatus::Cancelled && status != OptimizeStatus::MatchesSingular;
-    if (shown && colors_ && problem_.hasManyImages() && params_.balanceWeight > 0)
+    if (shown && colors_ && params_.balanceWeight > 0 && (problem_.hasManyImages() || problem_.color_reference < 0))
     {
-        const std::vector<ColorGrid> colors = balancedColors(stage_.overlaps, state, params_);
+        std::vector<PyramidLevel> images;
+        for (const ProblemImage& image : problem_.images)
+            images.push_back(image.pyramid.front());
+        const std::vector<ColorGrid> colors = balancedColors(images, stage_.overlaps, state, problem_.color_reference, params_);
         for (size_t i = 0; i < state.size(); ++i)
             state[i].color = colors[i];
     }
