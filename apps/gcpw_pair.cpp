@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 //
-// Stitches two overlapping photographs: the source is warped onto the target's frame.
+// Stitches two overlapping photographs: the source is warped onto the target, and both are shown from a view between them.
+#include <algorithm>
 #include <iostream>
 #include "common/json.hpp"
 #include "common/program.hpp"
@@ -17,12 +18,13 @@ namespace
 const char* const KEYS =
     "{help h usage ? |           | this text }"
     "{@source        |           | photograph that is warped }"
-    "{@target        |           | photograph that keeps its place; its frame is the canvas }"
+    "{@target        |           | photograph that it is aligned to }"
     "{method         | gcpw      | gcpw, its special cases global, cpw, dfw, mfw, or a rival: apap, lsh_mfw, ros_mfw }"
     "{output         | pano.png  | the panorama }"
-    "{dump           |           | folder for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png }"
+    "{dump           |           | folder for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png and the alignment, model.yml.gz }"
     "{report         |           | JSON file with scores, timings and what happened }"
     "{blend          | multiband | average (the paper's plain mean) or multiband (seam and multi-band blender) }"
+    "{view           |           | natural (seen from between both, little stretched) or target (the target keeps its frame and pixels); default natural, with --paper target }"
     "{render_source  |           | estimate on @source but render this file, which must have its size }"
     "{work_megapix   |           | resolution of the estimation, million pixels }"
     "{threads        | -1        | threads to use; -1 leaves it to OpenCV }"
@@ -40,17 +42,20 @@ struct Job
     std::string dump;
     std::string report;
     Blend blend = Blend::MULTIBAND;
+    View view = View::NATURAL;
     Params params;
     const evaluation::PairMethod* method = nullptr;
 };
 
-Job parse(const cv::CommandLineParser& parser)
+Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv)
 {
     Job job;
     job.source = parser.get<std::string>("@source");
     job.target = parser.get<std::string>("@target");
     if (job.source.empty() || job.target.empty())
         throw WrongUse("two photographs are needed: gcpw_pair SOURCE TARGET; --help lists the options");
+    if (std::count_if(argv + 1, argv + argc, [](const char* argument) { return argument[0] != '-'; }) > 2)
+        throw WrongUse("two photographs are stitched: gcpw_pair SOURCE TARGET; gcpw_stitch takes more");
     job.render_source = parser.get<std::string>("render_source");
     job.output = parser.get<std::string>("output");
     job.dump = parser.get<std::string>("dump");
@@ -59,6 +64,10 @@ Job parse(const cv::CommandLineParser& parser)
     if (blend != "average" && blend != "multiband")
         throw WrongUse("unknown blend '" + blend + "'; there are average, multiband");
     job.blend = blend == "average" ? Blend::AVERAGE : Blend::MULTIBAND;
+    const std::string view = parser.get<std::string>("view");
+    if (!view.empty() && view != "natural" && view != "target")
+        throw WrongUse("unknown view '" + view + "'; there are natural, target");
+    job.view = view == "target" || (view.empty() && parser.has("paper")) ? View::TARGET : View::NATURAL;
     if (parser.has("paper"))
         job.params = Params::paper();
     const std::string method = parser.get<std::string>("method");
@@ -77,6 +86,10 @@ Job parse(const cv::CommandLineParser& parser)
     if (threads >= 0)
         cv::setNumThreads(threads);
     job.params.check();
+    std::vector<std::string> inputs = {job.source, job.target};
+    if (!job.render_source.empty())
+        inputs.push_back(job.render_source);
+    checkOutputs(inputs, {job.output}, {job.report}, job.dump);
     return job;
 }
 
@@ -182,13 +195,17 @@ int stitch(const Job& job)
         progress("render", 0);
     cv::TickMeter render;
     render.start();
-    const PairCanvas canvas = renderPair(alignment, shown, target);
+    const PairCanvas canvas = renderPair(alignment, shown, target, job.view);
     const cv::Mat panorama = blendPair(canvas, job.blend);
     render.stop();
-    const Score after = scorePair(canvas);
+    // In the target's frame whatever the view: elsewhere pixels have another size, and the score another meaning.
+    const Score after = scorePair(job.view == View::TARGET ? canvas : renderPair(alignment, shown, target));
     writeImage(job.output, panorama);
     if (!job.dump.empty())
+    {
         dumpCanvas(job.dump, canvas);
+        alignment.save(job.dump + "/model.yml.gz");
+    }
     if (!job.report.empty())
     {
         const Score before = scorePair(renderPair(alignment.rough(), shown, target));
@@ -220,6 +237,8 @@ int main(int argc, char** argv)
 {
     const std::string about = "Stitches two overlapping photographs with Generalized Content-Preserving Warps.\n"
                               "Exit code: 0 stitched, 1 no alignment found, 2 wrong use.";
-    return runProgram("gcpw_pair", argc, argv, KEYS, about, [](const cv::CommandLineParser& parser)
-                      { return parser.has("synthetic") ? writeSynthetic(parser.get<std::string>("synthetic")) : stitch(parse(parser)); });
+    return runProgram("gcpw_pair", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
+    {
+        return parser.has("synthetic") ? writeSynthetic(parser.get<std::string>("synthetic")) : stitch(parse(parser, argc, argv));
+    });
 }

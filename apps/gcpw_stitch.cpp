@@ -7,6 +7,7 @@
 #include <iostream>
 #include <opencv2/gcpw/stitcher.hpp>
 #include "common/json.hpp"
+#include "common/model_check.hpp"
 #include "common/program.hpp"
 #include "common/stitch_setup.hpp"
 
@@ -40,6 +41,8 @@ const char* const KEYS =
     "{load_model      |             | use such a file instead of estimating }"
     "{threads         | -1          | threads to use; -1 leaves it to OpenCV }"
     "{set             |             | further parameters, name=value,name=value; see gcpw::Params }";
+
+const int MIN_SIDE = 8; ///< px of a photograph: cv::SIFT fails on images of one or two
 
 /// Everything one run is asked to do.
 struct Job
@@ -115,6 +118,10 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
     if (job.reference != -1)
         job.params.referenceImage = job.reference - 1;
     job.params.check();
+    std::vector<std::string> inputs = job.paths;
+    if (!job.load_model.empty())
+        inputs.push_back(job.load_model);
+    checkOutputs(inputs, {job.output}, {job.report, job.save_model}, job.dump);
     return job;
 }
 
@@ -122,7 +129,11 @@ std::vector<cv::Mat> readAll(const std::vector<std::string>& paths)
 {
     std::vector<cv::Mat> images;
     for (const std::string& path : paths)
+    {
         images.push_back(readBgr(path));
+        if (std::min(images.back().cols, images.back().rows) < MIN_SIDE)
+            throw WrongUse(path + cv::format(" is %d x %d px; %d px a side are needed", images.back().cols, images.back().rows, MIN_SIDE));
+    }
     return images;
 }
 
@@ -209,11 +220,11 @@ cv::Stitcher::Status findCameras(const Job& job, const std::vector<cv::Mat>& ima
     if (job.load_model.empty())
         return stitcher.estimateTransform(images);
     const Rig rig = Rig::load(job.load_model);
+    const std::vector<int> component = checkModel(rig, images, job.load_model);
     binding->setRig(rig);
-    for (int index : rig.component)
-        if (index < 0 || index >= static_cast<int>(images.size()))
-            throw WrongUse(job.load_model + " is of " + std::to_string(rig.component.size()) + " other images");
-    return stitcher.setTransform(images, rig.cameras, rig.component);
+    const cv::Stitcher::Status status = stitcher.setTransform(images, rig.cameras, component);
+    checkWorkScale(rig, stitcher, job.load_model);
+    return status;
 }
 
 int stitch(const Job& job)

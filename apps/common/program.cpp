@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
@@ -19,33 +20,63 @@ using cv::gcpw::Status;
 namespace
 {
 
-/// Path of the temporary file: the same folder and the same ending, which cv::imwrite chooses the format by.
+/// An unused name in the same folder for what is not complete yet.
 fs::path partialOf(const fs::path& path)
 {
-    return path.parent_path() / (path.stem().string() + ".partial" + path.extension().string());
+    for (int i = 0;; ++i)
+    {
+        const fs::path partial = path.parent_path() / (path.filename().string() + ".partial" + std::to_string(i));
+        std::error_code unknown;
+        if (!fs::exists(fs::symlink_status(partial, unknown)))
+            return partial;
+    }
 }
 
-template <typename Write>
-void writeThenRename(const std::string& path, Write write)
+/// Returns what went wrong, or nothing.
+std::string writeTo(const fs::path& path, const char* data, size_t size)
 {
-    const fs::path partial = partialOf(path);
-    std::string reason = "is the folder there and writable?";
-    bool written = false;
-    try
-    {
-        written = write(partial.string());
-    }
-    catch (const cv::Exception& e)
-    {
-        reason = e.err;
-    }
+    std::ofstream file(path, std::ios::binary);
+    if (!file)
+        return "is the folder there and writable?";
+    file.write(data, static_cast<std::streamsize>(size));
+    file.close();
+    return file ? "" : "the disk is full or the file is too large";
+}
+
+void writeThenRename(const std::string& path, const char* data, size_t size)
+{
     std::error_code error;
-    if (written)
-        fs::rename(partial, path, error);
-    if (written && !error)
-        return;
-    fs::remove(partial, error);
-    throw WrongUse("cannot write " + path + ": " + reason);
+    const fs::file_status before = fs::status(path, error);
+    std::string reason;
+    if (fs::exists(before) && !fs::is_regular_file(before))
+        reason = writeTo(path, data, size); // a device or a pipe is nothing to be replaced
+    else
+    {
+        // A link stays one: what it leads to is replaced.
+        const fs::path target = fs::exists(before) ? fs::canonical(path) : fs::path(path);
+        const fs::path partial = partialOf(target);
+        reason = writeTo(partial, data, size);
+        if (reason.empty())
+        {
+            fs::rename(partial, target, error);
+            reason = error ? error.message() : "";
+        }
+        if (!reason.empty())
+            fs::remove(partial, error);
+    }
+    if (!reason.empty())
+        throw WrongUse("cannot write " + path + ": " + reason);
+}
+
+bool sameFile(const fs::path& a, const fs::path& b)
+{
+    std::error_code unknown;
+    return fs::equivalent(a, b, unknown) || fs::weakly_canonical(a, unknown) == fs::weakly_canonical(b, unknown);
+}
+
+fs::path folderOf(const fs::path& path)
+{
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 } // namespace
@@ -69,8 +100,9 @@ void checkOptions(int argc, const char* const* argv, const std::string& keys)
 
 cv::Mat readImage(const std::string& path)
 {
-    if (!fs::exists(path))
-        throw WrongUse("there is no file " + path);
+    std::error_code error;
+    if (!fs::exists(path, error))
+        throw WrongUse("there is no file " + path + (error ? " that can be reached: " + error.message() : ""));
     cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
     // Only this mode keeps alpha, but it also ignores the orientation that a camera notes.
     if (!image.empty() && image.channels() != 4)
@@ -92,27 +124,52 @@ cv::Mat readBgr(const std::string& path)
     return image;
 }
 
+void checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& images, const std::vector<std::string>& others,
+                  const std::string& dump)
+{
+    std::vector<std::string> taken = inputs;
+    std::vector<std::string> outputs = images;
+    outputs.insert(outputs.end(), others.begin(), others.end());
+    for (const std::string& output : outputs)
+    {
+        if (output.empty())
+            continue;
+        if (output == "true") // what cv::CommandLineParser makes of --output
+            throw WrongUse("an option that takes a file is given without one: write --option=NAME");
+        for (const std::string& other : taken)
+            if (sameFile(output, other))
+                throw WrongUse(output + " would be overwritten: it is read, or written by another option");
+        taken.push_back(output);
+    }
+    for (const std::string& image : images)
+        if (!image.empty() && !cv::haveImageWriter(image))
+            throw WrongUse("OpenCV cannot write an image named " + image + ": .png and .jpg are endings that it knows");
+    if (dump.empty())
+        return;
+    for (const std::string& input : inputs)
+        if (sameFile(dump, folderOf(input)))
+            throw WrongUse("--dump=" + dump + " could overwrite " + input + ", which lies there: choose another folder");
+}
+
 void writeImage(const std::string& path, const cv::Mat& image)
 {
-    writeThenRename(path, [&](const std::string& partial) { return cv::imwrite(partial, image); });
+    std::vector<uchar> data;
+    const std::string ending = fs::path(path).extension().string();
+    if (!cv::imencode(ending, image, data))
+        throw WrongUse("cannot write " + path + ": OpenCV cannot encode the image as " + ending);
+    writeThenRename(path, reinterpret_cast<const char*>(data.data()), data.size());
 }
 
 void writeText(const std::string& path, const std::string& text)
 {
-    writeThenRename(path, [&](const std::string& partial)
-    {
-        std::ofstream file(partial);
-        file << text;
-        file.close();
-        return file.good();
-    });
+    writeThenRename(path, text.data(), text.size());
 }
 
 void makeFolder(const std::string& path)
 {
     std::error_code error;
     fs::create_directories(path, error);
-    if (!fs::is_directory(path))
+    if (!fs::is_directory(path, error))
         throw WrongUse("cannot make the folder " + path);
 }
 
@@ -189,6 +246,16 @@ int runProgram(const std::string& name, int argc, const char* const* argv, const
     {
         endProgress();
         std::cerr << name << ": " << (e.err.empty() ? e.what() : e.err) << '\n';
+    }
+    catch (const std::bad_alloc&)
+    {
+        endProgress();
+        std::cerr << name << ": not enough memory\n";
+    }
+    catch (const std::exception& e) // of the standard library, also from within OpenCV
+    {
+        endProgress();
+        std::cerr << name << ": " << e.what() << '\n';
     }
     return EXIT_WRONG_USE;
 }

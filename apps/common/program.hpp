@@ -10,6 +10,7 @@
 #include <opencv2/gcpw.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 /// Exit codes of the programs.
 enum ExitCode
@@ -33,6 +34,14 @@ cv::Mat readImage(const std::string& path);
 
 /// The same as 8-bit BGR, which is all that cv::Stitcher takes.
 cv::Mat readBgr(const std::string& path);
+
+/** @brief Refuses, before any work, what would overwrite a file that is read or another one that is written, an option without a
+name, and an image's ending that OpenCV does not know. Throws WrongUse that names the file.
+@param inputs files that are read
+@param images, others files to be written; empty for none
+@param dump folder whose names the program chooses: no input may lie in it; empty for none */
+void checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& images, const std::vector<std::string>& others,
+                  const std::string& dump);
 
 /// Writes an image under a temporary name first, so that no half-written file is ever left. Throws WrongUse.
 void writeImage(const std::string& path, const cv::Mat& image);

@@ -20,9 +20,9 @@ cv::Point2d apply(const cv::Matx33d& h, cv::Point2d p)
     return {q[0] / q[2], q[1] / q[2]};
 }
 
-/// Matches on a grid over the right part of the source, moved by `partner`.
-template <typename Partner>
-PairMatches gridMatches(Partner partner)
+/// Matches on a grid over the right part of the source, moved by `target_of`.
+template <typename TargetOf>
+PairMatches gridMatches(TargetOf target_of)
 {
     PairMatches matches;
     matches.source_size = matches.target_size = SIZE;
@@ -30,7 +30,7 @@ PairMatches gridMatches(Partner partner)
         for (int x = 100; x < SIZE.width; x += 20)
         {
             matches.source_points.emplace_back(x, y);
-            matches.target_points.push_back(partner(cv::Point2d(x, y)));
+            matches.target_points.push_back(target_of(cv::Point2d(x, y)));
         }
     return matches;
 }
@@ -48,9 +48,9 @@ double distanceFrom(const Alignment& alignment, const cv::Matx33d& truth)
     for (int row = 0; row < mesh.rows; ++row)
         for (int col = 0; col < mesh.cols; ++col)
         {
-            const cv::Point2d rest(col * SIZE.width / 32.0 - 0.5, row * SIZE.height / 32.0 - 0.5);
+            const cv::Point2d vertex(col * SIZE.width / 32.0 - 0.5, row * SIZE.height / 32.0 - 0.5);
             const cv::Vec2d found = mesh.at<cv::Vec2d>(row, col);
-            largest = std::max(largest, cv::norm(apply(truth, rest) - cv::Point2d(found[0], found[1])));
+            largest = std::max(largest, cv::norm(apply(truth, vertex) - cv::Point2d(found[0], found[1])));
         }
     return largest;
 }
@@ -68,23 +68,23 @@ TEST(Evaluation_Apap, matches_of_a_homography_give_that_homography_at_every_vert
 
 TEST(Evaluation_Apap, two_planes_are_each_followed_where_they_are)
 {
-    const auto partner = [](cv::Point2d p) { return p + (p.y < 120 ? cv::Point2d(-80, 0) : cv::Point2d(-86, 0)); };
-    const Alignment alignment = alignApap(gridMatches(partner));
+    const auto target_of = [](cv::Point2d p) { return p + (p.y < 120 ? cv::Point2d(-80, 0) : cv::Point2d(-86, 0)); };
+    const Alignment alignment = alignApap(gridMatches(target_of));
     ASSERT_TRUE(alignment.ok());
     const cv::Mat& mesh = alignment.image(0).mesh;
     for (const int row : {4, 28})
     {
-        const cv::Point2d rest(24 * SIZE.width / 32.0 - 0.5, row * SIZE.height / 32.0 - 0.5);
-        EXPECT_NEAR(mesh.at<cv::Vec2d>(row, 24)[0], partner(rest).x, 0.5);
+        const cv::Point2d vertex(24 * SIZE.width / 32.0 - 0.5, row * SIZE.height / 32.0 - 0.5);
+        EXPECT_NEAR(mesh.at<cv::Vec2d>(row, 24)[0], target_of(vertex).x, 0.5);
     }
 }
 
 TEST(Evaluation_Apap, a_flat_kernel_is_one_homography)
 {
-    const auto partner = [](cv::Point2d p) { return p + (p.y < 120 ? cv::Point2d(-80, 0) : cv::Point2d(-90, 0)); };
+    const auto target_of = [](cv::Point2d p) { return p + (p.y < 120 ? cv::Point2d(-80, 0) : cv::Point2d(-90, 0)); };
     evaluation::ApapOptions flat;
     flat.gamma = 1;
-    const Alignment alignment = alignApap(gridMatches(partner), flat);
+    const Alignment alignment = alignApap(gridMatches(target_of), flat);
     ASSERT_TRUE(alignment.ok());
     const cv::Mat& mesh = alignment.image(0).mesh;
     // The vertices of a straight line stay on one.
@@ -97,8 +97,8 @@ TEST(Evaluation_Apap, a_flat_kernel_is_one_homography)
 TEST(Evaluation_Apap, folds_are_counted)
 {
     // Neighbouring columns of matches change sides.
-    const auto partner = [](cv::Point2d p) { return p - cv::Point2d(80, 0) + cv::Point2d(p.x < 200 ? 60 : -60, 0); };
-    const Alignment alignment = alignApap(gridMatches(partner));
+    const auto target_of = [](cv::Point2d p) { return p - cv::Point2d(80, 0) + cv::Point2d(p.x < 200 ? 60 : -60, 0); };
+    const Alignment alignment = alignApap(gridMatches(target_of));
     ASSERT_TRUE(alignment.ok());
     EXPECT_GT(alignment.report().folds, 0);
 }

@@ -41,11 +41,11 @@ class Bench:
         self.check(says in said, f"{call}: does not say '{says}': {said}")
         return said
 
-    def refused(self, program, *arguments, expect=WRONG_USE, says=""):
-        """The same for a call that must leave nothing behind, neither files nor folders."""
+    def refused(self, program, *arguments, expect=WRONG_USE, says="", leaves=()):
+        """The same for a call that must leave nothing else behind, neither files nor folders."""
         before = self.files()
         said = self.run(program, *arguments, expect=expect, says=says)
-        left = sorted(self.files() - before)
+        left = sorted(self.files() - before - set(leaves))
         self.check(said.strip(), f"{program} {arguments}: refuses without a word")
         self.check(not left, f"{program} {arguments}: leaves {left}")
 
@@ -54,6 +54,13 @@ class Bench:
 
     def path(self, name):
         return self.scratch / name
+
+    def keeps(self, names, program, *arguments, says=""):
+        """A call that is refused and leaves the files of these names as they are."""
+        before = [self.path(name).read_bytes() for name in names]
+        self.refused(program, *arguments, says=says)
+        for name, content in zip(names, before):
+            self.check(self.path(name).read_bytes() == content, f"{program} {arguments}: {name} was overwritten")
 
     def same_bytes(self, a, b):
         return self.path(a).read_bytes() == self.path(b).read_bytes()

@@ -5,7 +5,9 @@
 """gcpw_pair: pictures, dump, report, refusals.
 
 Usage: test_gcpw_pair.py PROGRAMS SCRATCH SAMPLES"""
+import gzip
 import json
+import pathlib
 
 from harness import NO_ALIGNMENT, main
 
@@ -17,6 +19,7 @@ LEVEL = {"scale", "iterations", "stop", "energy_start", "energy_end"}
 ENERGY = {"points", "lines", "similarity", "total"}
 ENERGY_TOO = {"photometric", "color_smoothness", "color_prior", "anchors"}
 TIMINGS = {"features", "homography", "align", "render", "total"}
+MODEL = "model.yml.gz"  # Alignment::save()
 QUICK = ("--work_megapix=0.15", "--set=featureMegapix=0.15")
 
 
@@ -41,13 +44,32 @@ def stitches(bench, source, target):
     size = bench.png("pano.png")
     bench.check(size is not None and 1000 < size[0] < 1300 and 600 <= size[1] < 700, f"the panorama is {size}")
     found = {path.name for path in bench.path("dump/deep").iterdir()}
-    bench.check(found == set(DUMP), f"the dump holds {sorted(found)}")
+    bench.check(found == {*DUMP, MODEL}, f"the dump holds {sorted(found)}")
     for name, channels in DUMP.items():
         bench.check(bench.png("dump/deep/" + name) == (*size[:2], channels), f"{name} is {bench.png('dump/deep/' + name)}")
+    model = gzip.decompress(bench.path("dump/deep/" + MODEL).read_bytes()).decode()
+    for key in ("kind: gcpw_alignment", "canvas_scale:", "images:", "work_size:", "mesh:", "rough:"):
+        bench.check(key in model, f"{MODEL} has no {key}")
     report = json.loads(bench.path("report.json").read_text(encoding="utf-8"))
     keys_of_report(bench, report)
     bench.check(report["status"] == "ok" and report["method"] == "gcpw" and report["folds"] == 0, f"the report says {report}")
     bench.check(report["scores"]["after"]["zncc"] < 0.3 * report["scores"]["before"]["zncc"], f"scores are {report['scores']}")
+
+
+def views(bench, source, target):
+    """Seen from between both or in the target's frame: another picture of another size, the same alignment and the same scores."""
+    for view in ("natural", "target"):
+        bench.run("gcpw_pair", source, target, *QUICK, f"--view={view}", f"--output={view}.png", f"--report={view}.json", f"--dump={view}")
+    bench.run("gcpw_pair", source, target, *QUICK, "--output=default.png")
+    bench.check(bench.same_bytes("default.png", "natural.png"), "the natural view is not the default")
+    bench.check(bench.png("natural.png") != bench.png("target.png"), "both views have one size")
+    natural, in_target = (json.loads(bench.path(view + ".json").read_text(encoding="utf-8")) for view in ("natural", "target"))
+    bench.check(natural["scores"] == in_target["scores"], f"scores are {natural['scores']} and {in_target['scores']}")
+    models = [gzip.decompress(bench.path(f"{view}/{MODEL}").read_bytes()) for view in ("natural", "target")]
+    bench.check(models[0] == models[1], "the alignment depends on the view")
+    bench.run("gcpw_pair", source, target, *QUICK, "--paper", "--output=paper.png", "--dump=paper")
+    bench.run("gcpw_pair", source, target, *QUICK, "--paper", "--view=target", "--output=paper_target.png")
+    bench.check(bench.same_bytes("paper.png", "paper_target.png"), "the paper's view is not the target's frame")
 
 
 def repeats(bench, source, target):
@@ -88,6 +110,7 @@ def refuses(bench, source, target):
     for arguments, says in (((), "two photographs"), ((source,), "two photographs"), ((source, "missing.png"), "missing.png"),
                             ((source, "text.jpg"), "text.jpg"), ((source, target, "--method=best"), "cpw"),
                             ((source, target, "--blend=hard"), "multiband"), ((source, target, "--colour"), "--colour"),
+                            ((source, target, "--view=middle"), "natural"),
                             ((source, target, "--set=meshCols=1"), "meshCols"), ((source, target, "--set=quads=3"), "quads"),
                             ((source, target, "--set=meshCols"), "name=number"),
                             ((source, target, "--work_megapix=0"), "workMegapix")):
@@ -100,11 +123,42 @@ def refuses(bench, source, target):
     bench.run("gcpw_pair", "--help", says="--render_source")
 
 
+def keeps_what_it_reads(bench, source, target):
+    other = "photos/../" + target
+    for options, says in (((f"--output={source}",), "overwritten"), ((f"--output={other}",), "overwritten"),
+                          ((f"--report={source}",), "overwritten"), (("--output=a.png", "--report=a.png"), "overwritten"),
+                          (("--dump=photos",), "choose another folder"), (("--output",), "option=NAME"),
+                          (("--output=pano.picture",), "pano.picture"), ((target,), "two photographs")):
+        bench.keeps((source, target), "gcpw_pair", source, target, *options, says=says)
+    bench.path("linked.png").symlink_to(bench.path(source))
+    bench.keeps((source,), "gcpw_pair", source, target, "--output=linked.png", says="overwritten")
+    # A file of the user's that has the name of an unfinished one, and a link, which stays one.
+    bench.path("pano.png.partial0").write_text("mine", encoding="utf-8")
+    bench.path("link.png").symlink_to(bench.path("behind.png"))
+    bench.path("behind.png").write_text("old", encoding="utf-8")
+    bench.run("gcpw_pair", source, target, *QUICK, "--output=link.png")
+    bench.check(bench.path("link.png").is_symlink() and bench.png("behind.png"), "a link is replaced")
+    bench.run("gcpw_pair", source, target, *QUICK, "--output=pano.png", "--report=/dev/stdout", says='"status"')
+    bench.check(bench.path("pano.png.partial0").read_text(encoding="utf-8") == "mine", "a file of the user's is lost")
+    if pathlib.Path("/dev/full").exists():
+        bench.refused("gcpw_pair", source, target, *QUICK, "--output=full.png", "--method=cpw", "--report=/dev/full", says="disk is full",
+                      leaves=("full.png",))
+
+
+def does_not_abort(bench, source, target):
+    """Whatever the standard library throws is a message and an exit code."""
+    bench.refused("gcpw_pair", "n" * 300 + ".jpg", target, says="n.jpg")
+    bench.refused("gcpw_pair", source, target, *QUICK, "--output=" + "n" * 300 + ".png", says="cannot write")
+    loop = bench.path("loop")
+    loop.symlink_to(loop)
+    bench.refused("gcpw_pair", "loop", target, says="loop")
+
+
 def test(bench):
     pair = bench.synthetic_pair()
     for photo in pair:
         bench.check(bench.png(photo) == (800, 600, 3), f"{photo} is {bench.png(photo)}")
-    for part in (stitches, repeats, methods, renders_another_source, refuses):
+    for part in (stitches, views, repeats, methods, renders_another_source, refuses, keeps_what_it_reads, does_not_abort):
         part(bench, *pair)
 
 

@@ -6,6 +6,7 @@
 
 Usage: test_gcpw_stitch.py PROGRAMS SCRATCH SAMPLES"""
 import json
+import re
 
 from harness import NO_ALIGNMENT, main
 
@@ -57,6 +58,30 @@ def reuses_a_model(bench, photos):
     bench.check(bench.same_bytes("pano.png", "json.png"), "a model through JSON gives another picture")
 
 
+def refuses_a_model_of_others(bench, photos):
+    """Cameras at another scale, or of other photographs, would give a displaced picture without a word."""
+    model = bench.path("again.json").read_text(encoding="utf-8")
+    call = (*photos, "gray.pgm", *QUICK, "--output=no.png")
+    bench.refused("gcpw_stitch", *call, "--load_model=again.json", "--work_megapix=0.3", says="--work_megapix")
+    bench.flat_image("small.pgm", 400, 300)
+    bench.refused("gcpw_stitch", photos[0], "small.pgm", *QUICK, "--output=no.png", "--load_model=again.json", says="another size")
+    component = re.search(r'"component": \[[^]]*\]', model).group()
+    for other, says in (('"component": [ 0, 7 ]', "image 8"), ('"component": [ 0, 1, 0 ]', "component"), ('"component": []', "other images")):
+        bench.path("other.json").write_text(model.replace(component, other), encoding="utf-8")
+        bench.refused("gcpw_stitch", *call, "--load_model=other.json", says=says)
+    # Without a component all images are meant.
+    bench.run("gcpw_stitch", *photos, *QUICK, "--output=all.png", "--load_model=other.json")
+    bench.check(bench.same_bytes("pano.png", "all.png"), "a model without a component gives another picture")
+
+
+def keeps_what_it_reads(bench, photos):
+    for options in ((f"--output={photos[1]}",), (f"--report={photos[0]}",), (f"--save_model={photos[0]}",), ("--dump=photos",),
+                    ("--load_model=model.yml.gz", "--save_model=model.yml.gz")):
+        bench.keeps((*photos, "model.yml.gz"), "gcpw_stitch", *photos, *QUICK, *options, says="overwrit")
+    bench.flat_image("tiny.pgm", 1, 1)
+    bench.refused("gcpw_stitch", *photos, "tiny.pgm", "--output=no.png", says="tiny.pgm is 1 x 1 px")
+
+
 def plain_pipeline(bench, photos):
     """Nothing of GCPW is in --method=none, and it is what GCPW falls back on."""
     bench.run("gcpw_stitch", *photos, *QUICK, "--method=none", "--output=none.png", "--report=none.json", "--dump=none")
@@ -92,6 +117,8 @@ def test(bench):
     stitches(bench, photos)
     dumps(bench)
     reuses_a_model(bench, photos)
+    refuses_a_model_of_others(bench, photos)
+    keeps_what_it_reads(bench, photos)
     plain_pipeline(bench, photos)
     refuses(bench, photos)
 

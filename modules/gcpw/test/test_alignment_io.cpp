@@ -111,6 +111,61 @@ void expectDamaged(const std::string& text, const std::string& from, const std::
     std::remove(path.c_str());
 }
 
+TEST(Gcpw_AlignmentIo, a_text_that_nests_too_deep_for_the_parser_is_refused)
+{
+    const int deep = 300000;
+    std::string tags;
+    for (int i = 0; i < deep; ++i)
+        tags += "<a>";
+    std::string steps;
+    for (int i = 0; i < 2000; ++i)
+        steps += std::string(static_cast<size_t>(i), ' ') + "a:\n";
+    const std::string brackets = std::string(deep, '[') + std::string(deep, ']');
+    const std::pair<const char*, std::string> texts[] = {{".yml", "%YAML:1.0\n---\nx: " + brackets + "\n"},
+                                                         {".yml", "%YAML:1.0\n---\n" + steps},
+                                                         {".json", "{ \"x\": " + brackets + "}\n"},
+                                                         {".xml", "<?xml version=\"1.0\"?>\n<opencv_storage>\n" + tags}};
+    for (const auto& text : texts)
+    {
+        const std::string path = cv::tempfile(text.first);
+        std::ofstream(path) << text.second;
+        expectRefused([&] { gcpw::Rig::load(path); }, "deeper");
+        expectRefused([&] { gcpw::Alignment::load(path); }, path);
+        std::remove(path.c_str());
+    }
+}
+
+TEST(Gcpw_AlignmentIo, a_text_that_ends_anywhere_is_refused)
+{
+    for (const char* ending : {".yml", ".json", ".xml"})
+    {
+        const std::string path = cv::tempfile(ending);
+        irregularRig().save(path);
+        const std::string whole = textOf(path);
+        const size_t head = 1500; // it has every kind of tag
+        for (size_t length = 0; length < head; length += ending == std::string(".xml") ? 1 : 31)
+        {
+            std::ofstream(path) << whole.substr(0, length);
+            expectRefused([&] { gcpw::Rig::load(path); }, path);
+        }
+        std::remove(path.c_str());
+    }
+}
+
+TEST(Gcpw_AlignmentIo, brackets_and_quotes_in_a_message_are_only_characters)
+{
+    for (const char* ending : {".yml", ".json", ".xml"})
+    {
+        gcpw::Report report;
+        report.message = "it's [ { < \" ' ] of 'x[0]' <tag> </end> {{{";
+        const std::string path = cv::tempfile(ending);
+        const gcpw::Alignment rough(std::vector<gcpw::Alignment::Image>(), Size2d(1, 1), report);
+        rough.save(path);
+        EXPECT_EQ(gcpw::Alignment::load(path).report().message, report.message) << ending;
+        std::remove(path.c_str());
+    }
+}
+
 TEST(Gcpw_AlignmentIo, values_that_no_rig_has_are_refused)
 {
     const std::string path = cv::tempfile(".yml");

@@ -84,7 +84,7 @@ struct Told
 };
 
 /// Samples that compare two quads of the first image with two of the second.
-void tellPartners(ColorSystem& system, Told& told, uint64_t seed)
+void tellCrossSamples(ColorSystem& system, Told& told, uint64_t seed)
 {
     RNG rng = seeded(seed);
     for (int k = 0; k < 2; ++k)
@@ -160,18 +160,18 @@ TEST(Gcpw_ColorSystem, at_its_solution_the_energy_is_flat)
 
 TEST(Gcpw_ColorSystem, images_that_are_compared_are_solved_together)
 {
-    for (const bool first_held : {false, true})
+    for (const bool first_fixed : {false, true})
     {
-        ColorSystem system({FIRST, SECOND}, {first_held, false});
+        ColorSystem system({FIRST, SECOND}, {first_fixed, false});
         Told told = tell(system, 21);
         std::vector<ColorGrid> apart = randomGrids(22);
         std::vector<ColorGrid> together = apart;
         const Eigen::VectorXd start = stacked(apart);
         ASSERT_EQ(system.solve(apart), SolveStatus::Solved);
-        tellPartners(system, told, 23);
+        tellCrossSamples(system, told, 23);
         ASSERT_EQ(system.solve(together), SolveStatus::Solved);
         const Eigen::VectorXd x = stacked(together);
-        const Eigen::Index first = first_held ? 6 * FIRST.cellCount() : 0;
+        const Eigen::Index first = first_fixed ? 6 * FIRST.cellCount() : 0;
         EXPECT_GT((stacked(apart) - x).tail(x.size() - first).norm(), 0.01) << "the comparison says nothing";
         EXPECT_LT(steepest(told, x, first, x.size()), 1e-3 * steepest(told, start, first, x.size()));
         EXPECT_EQ(x.head(first), start.head(first));

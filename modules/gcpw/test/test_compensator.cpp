@@ -274,6 +274,18 @@ TEST(Gcpw_Compensator, feed_refuses_what_apply_would_refuse)
     EXPECT_EQ(cv::norm(before[1], after[1], NORM_INF), 0);
 }
 
+TEST(Gcpw_Compensator, an_image_without_pixels_or_a_mask_of_another_size_is_named)
+{
+    const Pair pair;
+    gcpw::GcpwCompensator compensator;
+    std::vector<UMat> images = pair.images;
+    images[1] = UMat();
+    expectRefused([&] { compensator.feed(pair.corners, images, pair.masks); }, "image 1 given to feed() is 0 x 0 px");
+    std::vector<UMat> masks = pair.masks;
+    masks[0] = UMat(1000, 2000, CV_8UC1, Scalar(255));
+    expectRefused([&] { compensator.feed(pair.corners, pair.images, masks); }, "its mask 2000 x 1000 px");
+}
+
 TEST(Gcpw_Compensator, gains_travel_and_stay_without_update)
 {
     const Pair pair;

@@ -4,6 +4,7 @@
 #include "test_precomp.hpp"
 
 #include "bent_mesh.hpp"
+#include "geometry/homography.hpp"
 #include "rendering/inverse_map.hpp"
 
 namespace opencv_test { namespace {
@@ -154,6 +155,31 @@ TEST(Gcpw_InverseMap, a_mesh_beyond_any_canvas_is_refused_and_not_wrapped_around
     FrameScale tiny;
     tiny.x = tiny.y = 1e-300;
     EXPECT_THROW(coveredRect(MeshGrid(LATTICE), tiny), cv::Exception);
+}
+
+TEST(Gcpw_InverseMap, in_a_view_every_pixel_shows_what_the_view_makes_of_its_place_on_the_canvas)
+{
+    const FrameScale canvas(Size(160, 120), Size(320, 240));
+    const MeshGrid mesh = bentMesh(LATTICE, 5, 4, Point2d(12, -7));
+    const Matx33d view(0.9, 0.1, 5, -0.1, 0.8, -3, 4e-4, 2e-4, 1);
+    const MeshGrid seen = viewed(mesh, canvas, view);
+    const Rect roi = coveredRect(seen, FrameScale());
+    Mat map;
+    Mat mask;
+    buildInverseMap(mesh, canvas, FrameScale(), roi, map, mask, view);
+    EXPECT_GT(countNonZero(mask), roi.area() / 2);
+    for (int y = 0; y < roi.height; ++y)
+        for (int x = 0; x < roi.width; ++x)
+        {
+            if (!mask.at<uchar>(y, x))
+                continue;
+            const Vec2f p = map.at<Vec2f>(y, x);
+            const Point2d shown = applyHomography(view, canvas.toFull(mesh.warp(Point2d(p[0], p[1]))));
+            ASSERT_LT(cv::norm(shown - Point2d(x + roi.x, y + roi.y)), 1e-3);
+        }
+    // Vertices are shown where they are; the mask ends there.
+    for (const Point2d& vertex : seen.vertices())
+        EXPECT_TRUE(Rect2d(Point2d(roi.x - 1, roi.y - 1), Size2d(roi.width + 1, roi.height + 1)).contains(vertex)) << vertex;
 }
 
 }} // namespace

@@ -12,19 +12,19 @@ namespace opencv_test { namespace {
 using namespace cv::gcpw;
 
 const Lattice MOVING(Size(80, 60), 4, 3);
-const Lattice PARTNER(Size(100, 80), 5, 4);
+const Lattice TARGET(Size(100, 80), 5, 4);
 const double STEP = 5;
 const int MOVING_COLUMNS = 2 * MOVING.vertexCount();
 
 /// An affine moving mesh over an undeformed target: straight lines stay straight.
 TermState affineState()
 {
-    return TermState({affineMesh(MeshGrid(MOVING), Matx22d(1.1, 0.1, -0.05, 0.95), Point2d(6, 9)), MeshGrid(PARTNER)});
+    return TermState({affineMesh(MeshGrid(MOVING), Matx22d(1.1, 0.1, -0.05, 0.95), Point2d(6, 9)), MeshGrid(TARGET)});
 }
 
 TermState bentState()
 {
-    return TermState({bentMesh(MOVING, 3, 1, Point2d(6, 9)), bentMesh(PARTNER, 3, 2)});
+    return TermState({bentMesh(MOVING, 3, 1, Point2d(6, 9)), bentMesh(TARGET, 3, 2)});
 }
 
 /// Segments of the moving image and pieces of the lines they come to lie on, moved aside by up to `error_px`.
@@ -46,7 +46,7 @@ std::vector<LineMatch> matchesOf(const TermState& state, int count, double error
 
 LinearizeTerm accumulateLines(const std::vector<LineMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
 {
-    return linearizing(std::make_shared<LineTerm>(0, 1, MOVING, PARTNER, matches, STEP, weight, loss));
+    return linearizing(std::make_shared<LineTerm>(0, 1, MOVING, TARGET, matches, STEP, weight, loss));
 }
 
 TEST(Gcpw_LineTerm, it_is_zero_at_the_truth)
@@ -121,7 +121,7 @@ TEST(Gcpw_LineTerm, jacobian_by_the_target_equals_finite_differences_while_the_s
         return Point2d(p[0], p[1]);
     };
     match.a = {inMoving(Point2d(24, 33)), inMoving(Point2d(35, 31))};
-    ASSERT_EQ(PARTNER.locate(match.b.start).cell, PARTNER.locate(match.b.end).cell);
+    ASSERT_EQ(TARGET.locate(match.b.start).cell, TARGET.locate(match.b.end).cell);
     const LinearizeTerm accumulate = accumulateLines({match}, 1);
     RecordingEquations equations(state.lattices());
     expectGradientIsSlope(accumulate, state, MOVING_COLUMNS, equations.meshColumns(), 1e-4, 1e-6);
@@ -167,7 +167,7 @@ TEST(Gcpw_LineTerm, distances_are_root_mean_squares_in_the_order_given)
     const TermState state = affineState();
     const std::vector<LineMatch> matches = matchesOf(state, 8, 6, 8);
     const std::vector<double> distances =
-        LineTerm(0, 1, MOVING, PARTNER, matches, STEP, 1).distances(state.state());
+        LineTerm(0, 1, MOVING, TARGET, matches, STEP, 1).distances(state.state());
     ASSERT_EQ(distances.size(), matches.size());
     for (size_t i = 0; i < matches.size(); ++i)
     {
@@ -207,7 +207,7 @@ TEST(Gcpw_LineTerm, a_target_whose_ends_a_mesh_brings_together_gives_no_rows)
     RecordingEquations equations(state.lattices());
     EXPECT_EQ(accumulateLines({match}, 1)(state, equations), 0);
     EXPECT_TRUE(equations.empty());
-    EXPECT_EQ(LineTerm(0, 1, MOVING, PARTNER, {match}, STEP, 1).distances(state.state())[0],
+    EXPECT_EQ(LineTerm(0, 1, MOVING, TARGET, {match}, STEP, 1).distances(state.state())[0],
               std::numeric_limits<double>::infinity());
 }
 
@@ -237,7 +237,7 @@ TEST(Gcpw_LineTerm, a_tiny_step_does_not_flood_memory)
     LineMatch match;
     match.a = {Point2d(10, 10), Point2d(40, 10)};
     match.b = {Point2d(20, 20), Point2d(60, 20)};
-    LineTerm term(0, 1, MOVING, PARTNER, {match}, 1e-300, 1);
+    LineTerm term(0, 1, MOVING, TARGET, {match}, 1e-300, 1);
     RecordingEquations equations(state.lattices());
     EXPECT_GT(term.linearize(state.state(), equations), 0);
     EXPECT_EQ(equations.rows.size(), 10001u);
@@ -256,8 +256,8 @@ TEST(Gcpw_LineTerm, samples_outside_the_moving_image_give_no_rows)
 
 TEST(Gcpw_LineTerm, a_step_that_leads_nowhere_is_refused)
 {
-    EXPECT_THROW(LineTerm(0, 1, MOVING, PARTNER, {}, 0, 1), cv::Exception);
-    EXPECT_THROW(LineTerm(0, 1, MOVING, PARTNER, {}, -5, 1), cv::Exception);
+    EXPECT_THROW(LineTerm(0, 1, MOVING, TARGET, {}, 0, 1), cv::Exception);
+    EXPECT_THROW(LineTerm(0, 1, MOVING, TARGET, {}, -5, 1), cv::Exception);
 }
 
 }} // namespace

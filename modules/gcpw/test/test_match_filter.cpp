@@ -16,24 +16,24 @@ struct Filtered
     std::vector<PointMatch> before;
     std::vector<PointMatch> after;
     MeshGrid mesh;
-    GateStatus status = GateStatus::Unsolved;
+    MatchFilterStatus status = MatchFilterStatus::Unsolved;
 };
 
 /// Filters matches of the default scene, from its rough homography.
-Filtered gate(const Scene& scene, std::vector<PointMatch> matches)
+Filtered filter(const Scene& scene, std::vector<PointMatch> matches)
 {
     const SceneOptions options;
     MeshGrid rough(Lattice(options.source_size, 16, 16));
     for (Point2d& vertex : rough.vertices())
         vertex = applyHomography(options.rough, vertex);
-    Filtered gated;
-    gated.before = matches;
-    gated.mesh = rough;
-    gated.status =
-        filterMatches(matches, gated.mesh, rough, MeshGrid(Lattice(scene.target().size(), 16, 16)), Point2d(),
-                    MatchFilterSchedule());
-    gated.after = matches;
-    return gated;
+    Filtered filtered;
+    filtered.before = matches;
+    filtered.mesh = rough;
+    filtered.status =
+        filterMatches(matches, filtered.mesh, rough, MeshGrid(Lattice(scene.target().size(), 16, 16)), Point2d(),
+                      MatchFilterSchedule());
+    filtered.after = matches;
+    return filtered;
 }
 
 int trueOnes(const Scene& scene, const std::vector<PointMatch>& matches)
@@ -47,9 +47,9 @@ int trueOnes(const Scene& scene, const std::vector<PointMatch>& matches)
 TEST(Gcpw_MatchFilter, without_outliers_everything_is_kept)
 {
     const Scene scene{SceneOptions()};
-    const Filtered gated = gate(scene, scene.pointMatches(300, 1, 0.3));
-    ASSERT_EQ(gated.status, GateStatus::Fitted);
-    EXPECT_EQ(gated.after.size(), 300u);
+    const Filtered filtered = filter(scene, scene.pointMatches(300, 1, 0.3));
+    ASSERT_EQ(filtered.status, MatchFilterStatus::Fitted);
+    EXPECT_EQ(filtered.after.size(), 300u);
 }
 
 TEST(Gcpw_MatchFilter, true_matches_are_kept_and_outliers_dropped)
@@ -57,49 +57,49 @@ TEST(Gcpw_MatchFilter, true_matches_are_kept_and_outliers_dropped)
     const Scene scene{SceneOptions()};
     for (const double wrong_share : {0.1, 0.3, 0.5})
     {
-        const Filtered gated = gate(scene, scene.pointMatches(600, 2, 0.3, wrong_share));
-        ASSERT_EQ(gated.status, GateStatus::Fitted);
-        const int before = trueOnes(scene, gated.before);
-        const int kept = trueOnes(scene, gated.after);
+        const Filtered filtered = filter(scene, scene.pointMatches(600, 2, 0.3, wrong_share));
+        ASSERT_EQ(filtered.status, MatchFilterStatus::Fitted);
+        const int before = trueOnes(scene, filtered.before);
+        const int kept = trueOnes(scene, filtered.after);
         EXPECT_NEAR(before, 600 * (1 - wrong_share), 40);
         EXPECT_GE(kept, 0.97 * before) << wrong_share;
-        EXPECT_LE(static_cast<int>(gated.after.size()) - kept, 0.01 * (600 - before)) << wrong_share;
+        EXPECT_LE(static_cast<int>(filtered.after.size()) - kept, 0.01 * (600 - before)) << wrong_share;
     }
 }
 
 TEST(Gcpw_MatchFilter, the_fitted_mesh_follows_the_true_matches)
 {
     const Scene scene{SceneOptions()};
-    const Filtered gated = gate(scene, scene.pointMatches(600, 3, 0.3, 0.3));
+    const Filtered filtered = filter(scene, scene.pointMatches(600, 3, 0.3, 0.3));
     double sum = 0;
     for (const PointMatch& match : scene.pointMatches(200, 4))
-        sum += cv::norm(gated.mesh.warp(match.a) - match.b) / 200;
+        sum += cv::norm(filtered.mesh.warp(match.a) - match.b) / 200;
     EXPECT_LT(sum, 0.5);
 }
 
 TEST(Gcpw_MatchFilter, kept_matches_keep_their_order)
 {
     const Scene scene{SceneOptions()};
-    const Filtered gated = gate(scene, scene.pointMatches(200, 5, 0.3, 0.4));
+    const Filtered filtered = filter(scene, scene.pointMatches(200, 5, 0.3, 0.4));
     size_t next = 0;
-    for (const PointMatch& match : gated.after)
+    for (const PointMatch& match : filtered.after)
     {
-        while (next < gated.before.size() && gated.before[next].a != match.a)
+        while (next < filtered.before.size() && filtered.before[next].a != match.a)
             ++next;
-        ASSERT_LT(next, gated.before.size());
+        ASSERT_LT(next, filtered.before.size());
     }
 }
 
 TEST(Gcpw_MatchFilter, without_matches_the_mesh_stays)
 {
     const Scene scene{SceneOptions()};
-    const Filtered gated = gate(scene, {});
-    ASSERT_EQ(gated.status, GateStatus::Fitted);
-    EXPECT_TRUE(gated.after.empty());
-    MeshGrid rough(gated.mesh.lattice());
+    const Filtered filtered = filter(scene, {});
+    ASSERT_EQ(filtered.status, MatchFilterStatus::Fitted);
+    EXPECT_TRUE(filtered.after.empty());
+    MeshGrid rough(filtered.mesh.lattice());
     for (Point2d& vertex : rough.vertices())
         vertex = applyHomography(SceneOptions().rough, vertex);
-    EXPECT_LT(maxVertexDistance(gated.mesh, rough), 1e-6);
+    EXPECT_LT(maxVertexDistance(filtered.mesh, rough), 1e-6);
 }
 
 TEST(Gcpw_MatchFilter, a_fit_without_a_solution_verifies_no_match)
@@ -109,7 +109,7 @@ TEST(Gcpw_MatchFilter, a_fit_without_a_solution_verifies_no_match)
     MeshGrid rough(Lattice(SceneOptions().source_size, 16, 16));
     rough.vertices()[40].x = std::numeric_limits<double>::quiet_NaN();
     MeshGrid mesh(rough.lattice());
-    EXPECT_EQ(filterMatches(matches, mesh, rough, MeshGrid(rough.lattice()), Point2d(), MatchFilterSchedule()), GateStatus::Unsolved);
+    EXPECT_EQ(filterMatches(matches, mesh, rough, MeshGrid(rough.lattice()), Point2d(), MatchFilterSchedule()), MatchFilterStatus::Unsolved);
     EXPECT_TRUE(matches.empty());
     EXPECT_EQ(maxVertexDistance(mesh, MeshGrid(rough.lattice())), 0) << "the mesh is as it was";
 }
@@ -130,7 +130,7 @@ TEST(Gcpw_MatchFilter, a_mesh_that_folds_is_not_handed_on)
     MeshGrid mesh = reference;
     MatchFilterSchedule schedule;
     schedule.similarity_weight = 1e-3;
-    EXPECT_EQ(filterMatches(matches, mesh, reference, reference, Point2d(), schedule), GateStatus::Folded);
+    EXPECT_EQ(filterMatches(matches, mesh, reference, reference, Point2d(), schedule), MatchFilterStatus::Folded);
     EXPECT_EQ(maxVertexDistance(mesh, reference), 0);
 }
 
@@ -139,9 +139,9 @@ TEST(Gcpw_MatchFilter, matches_that_are_not_numbers_are_dropped)
     const Scene scene{SceneOptions()};
     std::vector<PointMatch> matches = scene.pointMatches(50, 6);
     matches[7].b.x = std::numeric_limits<double>::quiet_NaN();
-    const Filtered gated = gate(scene, matches);
-    EXPECT_EQ(gated.status, GateStatus::Fitted);
-    EXPECT_EQ(gated.after.size(), 49u);
+    const Filtered filtered = filter(scene, matches);
+    EXPECT_EQ(filtered.status, MatchFilterStatus::Fitted);
+    EXPECT_EQ(filtered.after.size(), 49u);
 }
 
 }} // namespace

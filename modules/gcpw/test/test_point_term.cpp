@@ -13,11 +13,11 @@ namespace opencv_test { namespace {
 using namespace cv::gcpw;
 
 const Lattice MOVING(Size(80, 60), 4, 3);
-const Lattice PARTNER(Size(100, 80), 5, 4);
+const Lattice TARGET(Size(100, 80), 5, 4);
 
 TermState bentState()
 {
-    return TermState({bentMesh(MOVING, 3, 1, Point2d(10, 8)), bentMesh(PARTNER, 3, 2)});
+    return TermState({bentMesh(MOVING, 3, 1, Point2d(10, 8)), bentMesh(TARGET, 3, 2)});
 }
 
 /// Matches that a state fulfils, moved apart by up to `error_px`.
@@ -34,7 +34,7 @@ std::vector<PointMatch> matchesOf(const TermState& state, int count, double erro
         CellPoint target;
         if (!state.meshes[1].invert(state.meshes[0].warp(match.a) + error, hint, target))
             continue;
-        match.b = PARTNER.referencePoint(target);
+        match.b = TARGET.referencePoint(target);
         match.weight = rng.uniform(0.5, 2.0);
         matches.push_back(match);
     }
@@ -43,7 +43,7 @@ std::vector<PointMatch> matchesOf(const TermState& state, int count, double erro
 
 LinearizeTerm accumulatePoints(const std::vector<PointMatch>& matches, double weight, const RobustLoss& loss = RobustLoss())
 {
-    return linearizing(std::make_shared<PointTerm>(0, 1, MOVING, PARTNER, matches, weight, loss));
+    return linearizing(std::make_shared<PointTerm>(0, 1, MOVING, TARGET, matches, weight, loss));
 }
 
 TEST(Gcpw_PointTerm, it_is_zero_at_the_truth)
@@ -78,7 +78,7 @@ TEST(Gcpw_PointTerm, energy_equals_the_sum_of_squared_rows)
 TEST(Gcpw_PointTerm, jacobian_equals_finite_differences)
 {
     const TermState state = bentState();
-    const int all = 2 * (MOVING.vertexCount() + PARTNER.vertexCount());
+    const int all = 2 * (MOVING.vertexCount() + TARGET.vertexCount());
     const LinearizeTerm accumulate = accumulatePoints(matchesOf(state, 30, 5, 6), 2);
     expectExactlyQuadratic(accumulate, state, 0, all, 2.0, 1e-9);
     expectGradientIsSlope(accumulate, state, 0, all, 1e-3, 1e-7);
@@ -87,7 +87,7 @@ TEST(Gcpw_PointTerm, jacobian_equals_finite_differences)
 TEST(Gcpw_PointTerm, a_robust_gradient_is_the_slope_of_the_robust_energy)
 {
     const TermState state = bentState();
-    const int all = 2 * (MOVING.vertexCount() + PARTNER.vertexCount());
+    const int all = 2 * (MOVING.vertexCount() + TARGET.vertexCount());
     expectGradientIsSlope(accumulatePoints(matchesOf(state, 30, 5, 7), 2, RobustLoss(2)), state, 0, all, 1e-4, 1e-6);
 }
 
@@ -116,7 +116,7 @@ TEST(Gcpw_PointTerm, distances_are_those_on_the_canvas_in_the_order_given)
     const TermState state = bentState();
     const std::vector<PointMatch> matches = matchesOf(state, 10, 5, 9);
     const std::vector<double> distances =
-        PointTerm(0, 1, MOVING, PARTNER, matches, 1).distances(state.state());
+        PointTerm(0, 1, MOVING, TARGET, matches, 1).distances(state.state());
     ASSERT_EQ(distances.size(), matches.size());
     for (size_t i = 0; i < matches.size(); ++i)
         EXPECT_NEAR(distances[i], cv::norm(state.meshes[0].warp(matches[i].a) - state.meshes[1].warp(matches[i].b)),

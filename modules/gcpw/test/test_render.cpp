@@ -187,8 +187,12 @@ TEST(Gcpw_Render, stitching_is_all_of_it_in_one_call_and_leaves_the_output_alone
     const Scene scene{smallScene()};
     Mat panorama;
     ASSERT_TRUE(stitchPair(scene.source(), scene.target(), panorama, Params(), Blend::AVERAGE));
-    const PairCanvas canvas = renderPair(alignPair(scene.source(), scene.target()), scene.source(), scene.target());
+    const Alignment alignment = alignPair(scene.source(), scene.target());
+    const PairCanvas canvas = renderPair(alignment, scene.source(), scene.target(), View::NATURAL);
     EXPECT_EQ(cv::norm(panorama, blendPair(canvas, Blend::AVERAGE), NORM_INF), 0);
+    ASSERT_TRUE(stitchPair(scene.source(), scene.target(), panorama, Params(), Blend::AVERAGE, View::TARGET));
+    const PairCanvas in_target = renderPair(alignment, scene.source(), scene.target());
+    EXPECT_EQ(cv::norm(panorama, blendPair(in_target, Blend::AVERAGE), NORM_INF), 0);
 
     const Mat flat(100, 100, CV_8UC3, Scalar::all(9));
     const Mat before = panorama.clone();

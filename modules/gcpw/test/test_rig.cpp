@@ -4,6 +4,7 @@
 #include "test_precomp.hpp"
 
 #include <limits>
+#include "log.hpp"
 #include "refusal.hpp"
 #include "rig_scene.hpp"
 
@@ -23,15 +24,25 @@ gcpw::Rig goodRig()
     return rig;
 }
 
-/// Whatever takes a rig refuses it, and keeps the one it has.
+/// Rig::check() names `part`, and whatever takes a rig does without this one and logs why.
 void expectRefused(const gcpw::Rig& rig, const std::string& part)
 {
+    opencv_test::expectRefused([&] { rig.check(); }, part);
+    EXPECT_FALSE(rig.usable()) << part;
     const Ptr<WarperCreator> base = makePtr<cv::SphericalWarper>();
-    opencv_test::expectRefused([&] { gcpw::GcpwWarper(base, rig); }, part);
+    const Mat K = intrinsics(goodRig().cameras[0]);
+    const Mat R = goodRig().cameras[0].R;
+    const Rect expected = base->create(300)->warpRoi(RIG_IMAGE, K, R);
+    const Log log;
+    expectTaken([&] { EXPECT_EQ(gcpw::GcpwWarper(base, rig).create(300)->warpRoi(RIG_IMAGE, K, R), expected); });
+    EXPECT_EQ(log.count(part), 1) << part;
     gcpw::GcpwWarper warper(base, goodRig());
-    opencv_test::expectRefused([&] { warper.setRig(rig); }, part);
-    EXPECT_TRUE(warper.rig().usable());
-    EXPECT_EQ(warper.rig().component, goodRig().component);
+    EXPECT_NE(warper.create(300)->warpRoi(RIG_IMAGE, K, R), expected);
+    expectTaken([&] { warper.setRig(rig); });
+    EXPECT_EQ(log.count(part), 2) << part;
+    EXPECT_EQ(warper.create(300)->warpRoi(RIG_IMAGE, K, R), expected);
+    expectTaken([&] { gcpw::GcpwRotationWarper(base->create(300), rig); });
+    EXPECT_EQ(log.count(part), 3) << part;
 }
 
 TEST(Gcpw_Rig, a_good_rig_and_one_without_a_refinement_are_taken)
@@ -101,6 +112,23 @@ TEST(Gcpw_Rig, numbers_that_no_camera_has_are_named)
         rig.cameras[1].ppy = bad;
         expectRefused(rig, "principal point of camera 1");
     }
+}
+
+TEST(Gcpw_Rig, a_mesh_beyond_any_canvas_is_named)
+{
+    for (const double bad : {3e9, -1e300})
+    {
+        gcpw::Rig rig = goodRig();
+        std::vector<gcpw::Alignment::Image> images = {rig.alignment.image(0), rig.alignment.image(1)};
+        images[1].mesh = images[1].mesh.clone();
+        images[1].mesh.at<Vec2d>(2, 3)[1] = bad;
+        rig.alignment = gcpw::Alignment(images, Size2d(1, 1), gcpw::Report());
+        expectRefused(rig, "mesh of image 1");
+    }
+    gcpw::Rig rig = goodRig();
+    const std::vector<gcpw::Alignment::Image> images = {rig.alignment.image(0), rig.alignment.image(1)};
+    rig.alignment = gcpw::Alignment(images, Size2d(1e-300, 1e-300), gcpw::Report());
+    expectRefused(rig, "mesh of image 0");
 }
 
 TEST(Gcpw_Rig, scales_turns_components_and_sizes_out_of_range_are_named)

@@ -65,9 +65,9 @@ public:
                 const Point2f at_b = imagePoint(b, scene);
                 if (!inside.contains(at_a) || !inside.contains(at_b))
                     continue;
-                const Point2d miss = warper.warpPoint(at_a, intrinsics(cameras_[a]), cameras_[a].R) -
-                                     warper.warpPoint(at_b, intrinsics(cameras_[b]), cameras_[b].R);
-                const double distance = std::hypot(wrapped(miss.x), miss.y);
+                const Point2d gap = warper.warpPoint(at_a, intrinsics(cameras_[a]), cameras_[a].R) -
+                                    warper.warpPoint(at_b, intrinsics(cameras_[b]), cameras_[b].R);
+                const double distance = std::hypot(wrapped(gap.x), gap.y);
                 sum += distance;
                 most = std::max(most, distance);
                 ++count;

@@ -4,11 +4,10 @@
 #include "test_precomp.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <new>
-#include <sstream>
 #include <stdexcept>
-#include <opencv2/core/utils/logger.hpp>
+#include "log.hpp"
+#include "refusal.hpp"
 #include "stitch_scene.hpp"
 
 namespace opencv_test { namespace {
@@ -17,32 +16,6 @@ std::vector<cv::detail::CameraParams> frameCameras()
 {
     return {cameraAt(-0.45, -0.03), cameraAt(0), cameraAt(0.45, 0.03)};
 }
-
-/// What goes to std::cerr while it lives, warnings of OpenCV's log among it.
-class Log
-{
-public:
-    Log() : before_(std::cerr.rdbuf(text_.rdbuf())), level_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_WARNING)) {}
-    ~Log()
-    {
-        std::cerr.rdbuf(before_);
-        cv::utils::logging::setLogLevel(level_);
-    }
-
-    int count(const std::string& words) const
-    {
-        const std::string text = text_.str();
-        int found = 0;
-        for (size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
-            ++found;
-        return found;
-    }
-
-private:
-    std::ostringstream text_;
-    std::streambuf* before_;
-    cv::utils::logging::LogLevel level_;
-};
 
 /// Refuses one allocation when it is told to.
 class OutOfMemoryOnce : public MatAllocator
@@ -313,6 +286,23 @@ TEST(Gcpw_StitcherBinding, a_stitcher_without_finder_or_matcher_says_so)
     const Ptr<Stitcher> stitcher = makeStitcher();
     stitcher->setWarper(Ptr<WarperCreator>());
     EXPECT_THROW(gcpw::attach(stitcher), cv::Exception);
+}
+
+TEST(Gcpw_StitcherBinding, a_rig_whose_parts_contradict_each_other_is_estimated_anew)
+{
+    const Ptr<Stitcher> stitcher = makeStitcher();
+    const Ptr<gcpw::StitcherBinding> binding = gcpw::attach(stitcher, quick());
+    Mat panorama;
+    ASSERT_EQ(stitcher->stitch(frameOf(), panorama), Stitcher::OK);
+    gcpw::Rig broken = binding->rig();
+    broken.turns = {0};
+    const Log log;
+    expectTaken([&] { binding->setRig(broken); });
+    EXPECT_EQ(log.count("turns of a rig has 1 entries"), 1);
+    ASSERT_EQ(stitcher->stitch(frameOf(), panorama), Stitcher::OK);
+    EXPECT_EQ(binding->estimations(), 2);
+    EXPECT_TRUE(binding->rig().usable()) << binding->rig().alignment.report().message;
+    expectSame(undisturbed(), panorama);
 }
 
 TEST(Gcpw_StitcherBinding, a_refinement_that_fails_throws_nothing_while_a_panorama_is_composed)

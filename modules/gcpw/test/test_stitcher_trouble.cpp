@@ -4,6 +4,7 @@
 #include "test_precomp.hpp"
 
 #include <atomic>
+#include "refusal.hpp"
 #include "stitch_scene.hpp"
 
 namespace opencv_test { namespace {
@@ -82,7 +83,10 @@ TEST(Gcpw_StitcherTrouble, cancelling_gives_the_plain_panorama)
         Mat panorama;
         ASSERT_EQ(stitcher->stitch(frameOf(), panorama), Stitcher::OK);
         EXPECT_EQ(binding->rig().alignment.report().status, gcpw::Status::CANCELLED);
-        expectSame(plainPanorama(frameOf(), stitcher->cameras()), panorama);
+        std::vector<Mat> stitched; // the stitcher leaves out what it could not match
+        for (const int index : stitcher->component())
+            stitched.push_back(frameOf()[static_cast<size_t>(index)]);
+        expectSame(plainPanorama(stitched, stitcher->cameras()), panorama);
     }
 }
 
@@ -100,6 +104,23 @@ TEST(Gcpw_StitcherTrouble, a_camera_that_is_none_leads_to_a_message)
     EXPECT_FALSE(stretched.usable());
 }
 
+
+TEST(Gcpw_StitcherTrouble, an_affine_map_beyond_any_canvas_is_refused_and_not_wrapped_around)
+{
+    const Ptr<cv::detail::RotationWarper> warper = gcpw::GcpwWarper(makePtr<cv::AffineWarper>()).create(1);
+    cv::detail::CameraParams close_by; // the canvas is the image
+    close_by.R = Mat::eye(3, 3, CV_32F);
+    for (const float shift : {3e9F, -2147483648.F, 1e30F})
+    {
+        cv::detail::CameraParams distant = close_by;
+        distant.R = close_by.R.clone();
+        distant.R.at<float>(0, 2) = shift;
+        expectRefused([&] { warper->warpRoi(RIG_IMAGE, intrinsics(distant), distant.R); }, "beyond any canvas");
+        const std::vector<Mat> images(2, Mat(RIG_IMAGE, CV_8UC3, Scalar::all(90)));
+        const gcpw::Rig rig = gcpw::alignRig(images, {distant, close_by}, makePtr<cv::AffineWarper>());
+        EXPECT_NE(rig.alignment.report().message.find("beyond any canvas"), std::string::npos) << rig.alignment.report().message;
+    }
+}
 
 TEST(Gcpw_StitcherTrouble, too_few_images_are_refused_as_ever)
 {

@@ -10,8 +10,6 @@ hand. What is missing here does not compile; add it only with the meaning it has
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include <opencv2/core.hpp>
@@ -48,22 +46,6 @@ char shimUnevaluated(...);
 
 namespace cvtest
 {
-
-/// The data file of this relative path under OPENCV_TEST_DATA_PATH or the module's own testdata; throws without it.
-inline std::string findDataFile(const std::string& relative_path)
-{
-    std::string roots[2];
-    if (const char* path = std::getenv("OPENCV_TEST_DATA_PATH"))
-        roots[0] = path;
-#ifdef GCPW_TEST_DATA_DIR
-    roots[1] = GCPW_TEST_DATA_DIR;
-#endif
-    for (const std::string& root : roots)
-        for (const char* sub_directory : {"/cv/", "/"})
-            if (!root.empty() && std::ifstream(root + sub_directory + relative_path).good())
-                return root + sub_directory + relative_path;
-    CV_Error(cv::Error::StsObjectNotFound, "OpenCV tests: can't find data file: " + relative_path);
-}
 
 inline double norm(const cv::Mat& src, int norm_type, const cv::Mat& mask = cv::Mat())
 {

@@ -33,7 +33,7 @@ stitcher->stitch(photographs, panorama);
 | stitcher.hpp | attach: GCPW inside cv::Stitcher |
 | rig.hpp | Rig: an alignment with its cameras, for many frames |
 | warper.hpp | GcpwWarper: the meshes of a rig behind any warper |
-| rotation_warper.hpp | GcpwRotationWarper: what GcpwWarper makes |
+| rotation_warper.hpp | GcpwRotationWarper: what GcpwWarper makes; PyGcpwWarper: the same for Python |
 | compensator.hpp | GcpwCompensator: local colours |
 */
 

@@ -34,6 +34,8 @@ std::vector<Mat> toMats(InputArrayOfArrays arrays)
 class AlignerImpl : public Aligner
 {
 public:
+    using Aligner::align;
+
     explicit AlignerImpl(const Params& params) : params_(params) { params_.check(); }
 
     const Params& params() const override { return params_; }
@@ -61,6 +63,11 @@ private:
 } // namespace
 
 Aligner::~Aligner() = default;
+
+Alignment Aligner::align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks)
+{
+    return align(corners, images, masks, std::vector<Correspondences>());
+}
 
 Ptr<Aligner> Aligner::create(const Params& params)
 {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include "api/model_text.hpp"
 
 namespace cv
 {
@@ -42,6 +43,16 @@ bool opened(FileStorage& file, const std::string& name, int mode, std::string& r
 bool isCompressed(const fs::path& path)
 {
     return path.extension() == ".gz";
+}
+
+/// What OpenCV's parser would crash at; compressed text is not looked at.
+std::string faultOf(const std::string& path)
+{
+    std::ifstream stream(path, std::ios::binary);
+    const bool gzip = stream.get() == 0x1f && stream.get() == 0x8b;
+    stream.clear();
+    stream.seekg(0);
+    return gzip ? std::string() : textFault(stream);
 }
 
 /// Where the file is written first: in the same folder, with the same extensions, under an unused name.
@@ -157,6 +168,9 @@ void writeFile(const std::string& name, const std::string& kind, const Write& wr
 
 FileStorage openForReading(const std::string& path, const std::string& kind)
 {
+    const std::string fault = faultOf(path);
+    if (!fault.empty())
+        CV_Error(Error::StsParseError, "gcpw: cannot read " + path + ": " + fault);
     FileStorage file;
     std::string reason;
     if (!opened(file, path, FileStorage::READ, reason))

@@ -150,7 +150,7 @@ MatchSet ProblemBuilder::verified(const std::vector<Correspondences>& known, con
     const MeshGrid& a = problem_.images[pair.a].rough;
     MeshGrid fitted = a;
     if (filterMatches(matches.points, fitted, a, problem_.images[pair.b].rough, pair.shift_b, schedule) ==
-        GateStatus::Unsolved)
+        MatchFilterStatus::Unsolved)
         CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the correspondences of images " << pair.a << " and " << pair.b
                                                                                     << "; they are left out");
     return matches;

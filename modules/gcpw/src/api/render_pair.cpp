@@ -5,12 +5,14 @@
 
 #include <opencv2/imgproc.hpp>
 #include "api/result.hpp"
+#include "geometry/homography.hpp"
 #include "imaging/photograph.hpp"
 #include "imaging/score.hpp"
 #include "rendering/blend.hpp"
 #include "rendering/color_field.hpp"
 #include "rendering/inverse_map.hpp"
 #include "rendering/mesh_overlay.hpp"
+#include "rendering/natural_view.hpp"
 #include "rendering/remap_tiled.hpp"
 
 namespace cv
@@ -24,15 +26,71 @@ namespace
 const double MAX_AREA = 4e8; ///< px: a larger canvas comes from a wrong alignment, and would exhaust the memory
 
 /// Both images together, or an exception that names the size.
-Rect canvasRect(const MeshGrid& mesh, const FrameScale& scale, Size target)
+Rect canvasRect(const Rect2d& source, const Rect2d& target)
 {
-    const Rect2d roi = coveredBounds(mesh, scale) | Rect2d(Point2d(), target);
+    const Rect2d roi = source | target;
     // In double: a mesh that ran away is wider than an int can say.
     if (!(roi.width <= MAX_REMAP_SIDE && roi.height <= MAX_REMAP_SIDE && roi.width * roi.height <= MAX_AREA))
         CV_Error(Error::StsOutOfRange,
                  format("gcpw: the canvas would be %.10g x %.10g px, more than %d px a side or %.0f Mpx; scale the photographs down",
                         roi.width, roi.height, MAX_REMAP_SIDE, MAX_AREA / 1e6));
     return roi;
+}
+
+/// A photograph on the full-resolution canvas of the target.
+struct Placed
+{
+    Photograph photograph;
+    MeshGrid mesh; ///< in work pixels of canvas and photograph
+    FrameScale canvas;
+    FrameScale scale; ///< work pixels per pixel of the photograph
+};
+
+/// The target's mesh says only that it is its own frame: one quad is enough.
+Placed placedTarget(const Photograph& target)
+{
+    return {target, MeshGrid(Lattice(target.image.size(), 1, 1)), FrameScale(), FrameScale()};
+}
+
+void checkView(View view)
+{
+    if (view != View::TARGET && view != View::NATURAL)
+        CV_Error(Error::StsOutOfRange, format("gcpw: the view is %d; it must be one of gcpw::View", static_cast<int>(view)));
+}
+
+/// The view of the whole canvas: full-resolution pixels of a picture, up to a shift, from those of the target.
+Matx33d homographyOf(View view, const Placed& source, Size target)
+{
+    if (view == View::TARGET)
+        return Matx33d::eye();
+    const Lattice& quads = source.mesh.lattice();
+    return naturalView({{viewed(source.mesh, source.canvas, Matx33d::eye()), source.photograph.image.size()},
+                        {MeshGrid(Lattice(target, quads.cols(), quads.rows())), target}});
+}
+
+/// @param map receives where each pixel of the mask lies in the photograph
+void warp(const Placed& placed, const Matx33d& view, Rect roi, Mat& image, Mat& mask, Mat& map)
+{
+    buildInverseMap(placed.mesh, placed.canvas, placed.scale, roi, map, mask, view);
+    remapTiled(placed.photograph.image, image, map, Mat(), INTER_CUBIC, BORDER_REPLICATE);
+    if (!placed.photograph.mask.empty())
+    {
+        Mat valid;
+        remapTiled(placed.photograph.mask, valid, map, Mat(), INTER_NEAREST, BORDER_REPLICATE);
+        mask &= valid;
+    }
+    image.setTo(Scalar::all(0), mask == 0);
+}
+
+/// The target where it is: without resampling.
+void place(const Photograph& target, Rect place, Size canvas, Mat& image, Mat& mask)
+{
+    mask = Mat::zeros(canvas, CV_8UC1);
+    mask(place).setTo(255);
+    if (!target.mask.empty())
+        target.mask.copyTo(mask(place));
+    image = Mat::zeros(canvas, CV_8UC3);
+    target.image.copyTo(image(place), mask(place));
 }
 
 /// Colours of the warped source; `map` says where each pixel of the mask lies in the photograph of `full_size`.
@@ -58,44 +116,37 @@ void checkSize(const Mat& image, Size expected, const char* name)
 
 } // namespace
 
-PairCanvas renderPair(const Alignment& alignment, InputArray source_input, InputArray target_input)
+PairCanvas renderPair(const Alignment& alignment, InputArray source_input, InputArray target_input, View view)
 {
+    checkView(view);
     CV_CheckEQ(alignment.imageCount(), 2, "gcpw: renderPair() takes the result of a successful alignPair()");
-    const Photograph source = toPhotograph(source_input, "source");
-    const Photograph target = toPhotograph(target_input, "target");
     const Alignment::Image& image = alignment.image(0);
-    checkSize(source.image, image.full_size, "source");
-    checkSize(target.image, alignment.image(1).full_size, "target");
-    FrameScale canvas_scale;
-    canvas_scale.x = alignment.canvasScale().width;
-    canvas_scale.y = alignment.canvasScale().height;
-    const MeshGrid mesh = meshOf(image);
-    const Rect roi = canvasRect(mesh, canvas_scale, target.image.size());
+    Placed source{toPhotograph(source_input, "source"), meshOf(image), FrameScale(),
+                  FrameScale(image.work_size, image.full_size)};
+    source.canvas.x = alignment.canvasScale().width;
+    source.canvas.y = alignment.canvasScale().height;
+    const Placed target = placedTarget(toPhotograph(target_input, "target"));
+    checkSize(source.photograph.image, image.full_size, "source");
+    checkSize(target.photograph.image, alignment.image(1).full_size, "target");
+    const Matx33d shown = homographyOf(view, source, target.photograph.image.size());
+    const MeshGrid source_mesh = viewed(source.mesh, source.canvas, shown);
+    const Rect roi = canvasRect(coveredBounds(source_mesh, FrameScale()),
+                                coveredBounds(viewed(target.mesh, target.canvas, shown), FrameScale()));
 
     PairCanvas canvas;
     Mat map;
-    buildInverseMap(mesh, canvas_scale, FrameScale(image.work_size, image.full_size), roi, map, canvas.source_mask);
-    remapTiled(source.image, canvas.source, map, Mat(), INTER_CUBIC, BORDER_REPLICATE);
-    if (!source.mask.empty())
-    {
-        Mat valid;
-        remapTiled(source.mask, valid, map, Mat(), INTER_NEAREST, BORDER_REPLICATE);
-        canvas.source_mask &= valid;
-    }
-    canvas.source.setTo(Scalar::all(0), canvas.source_mask == 0);
+    warp(source, shown, roi, canvas.source, canvas.source_mask, map);
     canvas.source_corrected = corrected(canvas.source, canvas.source_mask, map, image.color, image.full_size);
-
-    canvas.target_origin = -roi.tl();
-    const Rect place(canvas.target_origin, target.image.size());
-    canvas.target_mask = Mat::zeros(roi.size(), CV_8UC1);
-    canvas.target_mask(place).setTo(255);
-    if (!target.mask.empty())
-        target.mask.copyTo(canvas.target_mask(place));
-    canvas.target = Mat::zeros(roi.size(), CV_8UC3);
-    target.image.copyTo(canvas.target(place), canvas.target_mask(place));
+    if (view == View::TARGET)
+        place(target.photograph, {-roi.tl(), target.photograph.image.size()}, roi.size(), canvas.target, canvas.target_mask);
+    else
+        warp(target, shown, roi, canvas.target, canvas.target_mask, map);
+    const Matx33d to_canvas = Matx33d(1, 0, -roi.x, 0, 1, -roi.y, 0, 0, 1) * shown;
+    canvas.canvas_from_target = Mat(to_canvas * (1 / to_canvas(2, 2)));
+    canvas.target_origin = applyHomography(to_canvas, Point2d());
 
     canvas.mesh = blendPair(canvas, Blend::AVERAGE);
-    drawMesh(mesh, canvas_scale, roi.tl(), canvas.mesh);
+    drawMesh(source_mesh, FrameScale(), roi.tl(), canvas.mesh);
     return canvas;
 }
 
@@ -117,12 +168,13 @@ Score scorePair(const PairCanvas& canvas)
     return scoreOverlap(canvas.source, canvas.target, canvas.source_mask & canvas.target_mask);
 }
 
-bool stitchPair(InputArray source, InputArray target, OutputArray panorama, const Params& params, Blend blend)
+bool stitchPair(InputArray source, InputArray target, OutputArray panorama, const Params& params, Blend blend, View view)
 {
+    checkView(view);
     const Alignment alignment = alignPair(source, target, params);
     if (alignment.report().status == Status::NO_ALIGNMENT)
         return false;
-    blendPair(renderPair(alignment, source, target), blend, panorama);
+    blendPair(renderPair(alignment, source, target, view), blend, panorama);
     return true;
 }
 

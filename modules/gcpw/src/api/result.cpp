@@ -69,12 +69,10 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
     case OptimizeStatus::MatchesKept:
         report.message = "pixels made the alignment worse; the meshes of the matches alone were kept";
         break;
+    case OptimizeStatus::RoughAligned:
+        report.message = "the rough alignment lines the images up already; only colours were estimated";
+        break;
     case OptimizeStatus::RoughKept:
-        if (optimizer.choice().rough_is_aligned)
-        {
-            report.message = "the rough alignment lines the images up already; only colours were estimated";
-            break;
-        }
         report.status = Status::ROUGH;
         report.message = "the refinement lines the images up no better than the rough alignment, which was kept";
         break;

@@ -52,31 +52,31 @@ double overall(const std::vector<Decorrelation>& pairs)
 }
 
 /// A candidate and how well the images correlate by it.
-struct Judged
+struct Comparison
 {
     std::vector<Decorrelation> pairs;
     bool possible = false;
-    double miss = 0;
+    double decorrelation = 0;
 };
 
-Judged judge(const Problem& problem, const std::vector<ImageState>& states, bool nothing_to_compare)
+Comparison compare(const Problem& problem, const std::vector<ImageState>& states, bool nothing_to_compare)
 {
-    Judged result;
+    Comparison result;
     result.pairs = decorrelations(problem, states);
-    const double miss = overall(result.pairs);
-    result.possible = inProportion(problem, states) && (nothing_to_compare || !std::isnan(miss));
-    result.miss = nothing_to_compare ? 0 : miss;
+    const double decorrelation = overall(result.pairs);
+    result.possible = inProportion(problem, states) && (nothing_to_compare || !std::isnan(decorrelation));
+    result.decorrelation = nothing_to_compare ? 0 : decorrelation;
     return result;
 }
 
-bool noWorse(const Judged& a, const Judged& b, double ratio)
+bool noWorse(const Comparison& a, const Comparison& b, double ratio)
 {
-    return a.possible && (!b.possible || a.miss <= std::max(ratio * b.miss, ROUNDING));
+    return a.possible && (!b.possible || a.decorrelation <= std::max(ratio * b.decorrelation, ROUNDING));
 }
 
-bool isWorthIt(const Judged& refined, const Judged& rough)
+bool isWorthIt(const Comparison& refined, const Comparison& rough)
 {
-    return refined.possible && refined.miss <= std::max(WORTH_IT * rough.miss - LEAST_GAIN, ROUNDING);
+    return refined.possible && refined.decorrelation <= std::max(WORTH_IT * rough.decorrelation - LEAST_GAIN, ROUNDING);
 }
 
 } // namespace
@@ -84,17 +84,17 @@ bool isWorthIt(const Judged& refined, const Judged& rough)
 Choice bestCandidate(const Problem& problem, const std::vector<ImageState>& end, const std::vector<ImageState>& matches,
                      const std::vector<ImageState>& rough)
 {
-    Judged start;
+    Comparison start;
     start.pairs = decorrelations(problem, rough);
     start.possible = true;
-    start.miss = overall(start.pairs);
-    const bool nothing_to_compare = std::isnan(start.miss);
-    start.miss = nothing_to_compare ? 0 : start.miss;
-    const Judged matched = judge(problem, matches, nothing_to_compare);
-    const Judged ended = judge(problem, end, nothing_to_compare);
+    start.decorrelation = overall(start.pairs);
+    const bool nothing_to_compare = std::isnan(start.decorrelation);
+    start.decorrelation = nothing_to_compare ? 0 : start.decorrelation;
+    const Comparison matched = compare(problem, matches, nothing_to_compare);
+    const Comparison ended = compare(problem, end, nothing_to_compare);
     Choice choice;
     choice.before = start.pairs;
-    choice.rough_is_aligned = !nothing_to_compare && start.miss < ALIGNED;
+    choice.rough_is_aligned = !nothing_to_compare && start.decorrelation < ALIGNED;
     if (noWorse(ended, matched, CLEARLY_WORSE) && isWorthIt(ended, start))
     {
         choice.after = ended.pairs;

@@ -193,7 +193,9 @@ OptimizeStatus CoarseToFine::refine(State& state, std::vector<LevelReport>& repo
         enterLevel(0);
     if (initColors(state, COLOR_PASSES) == SolveStatus::NotPositiveDefinite)
         CV_LOG_INFO(nullptr, "gcpw: the colour equations of the meshes that were kept are singular; the last colours were kept");
-    return choice_.best == Candidate::MATCHES ? OptimizeStatus::MatchesKept : OptimizeStatus::RoughKept;
+    if (choice_.best == Candidate::MATCHES)
+        return OptimizeStatus::MatchesKept;
+    return choice_.rough_is_aligned ? OptimizeStatus::RoughAligned : OptimizeStatus::RoughKept;
 }
 
 OptimizeStatus CoarseToFine::run(State& state, std::vector<LevelReport>& report, const StepCallback& progress)

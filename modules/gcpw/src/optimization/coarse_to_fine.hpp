@@ -26,6 +26,7 @@ enum class OptimizeStatus
     PixelsSingular,  ///< those of a level with pixels are: the last good state is kept
     MatchesKept,     ///< pixels made it worse: the meshes of the matches alone are kept
     RoughKept,       ///< no better than the start, whose meshes are kept
+    RoughAligned,    ///< the start, which is kept, leaves nothing to refine
     Cancelled        ///< the last good state is kept
 };
 

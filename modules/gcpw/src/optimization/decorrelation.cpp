@@ -31,7 +31,7 @@ int strideOf(const PyramidLevel& level)
 }
 
 /// (1 - zero-mean NCC)^2 of a window; false where one of the images has no texture.
-bool miss(const PairSums& s, double& result)
+bool squaredDecorrelation(const PairSums& s, double& result)
 {
     const double va = s.aa - s.a * s.a / s.n;
     const double vb = s.bb - s.b * s.b / s.n;
@@ -87,7 +87,7 @@ Decorrelation patch(const PyramidLevel& source, const PyramidLevel& target, cons
         if (i >= WINDOW)
             window.add(sums[i - WINDOW], -1);
         double value = 0;
-        if (cvRound(window.n) != WINDOW * WINDOW || !miss(window, value))
+        if (cvRound(window.n) != WINDOW * WINDOW || !squaredDecorrelation(window, value))
             continue;
         const Point2d centre((columns.start + i - WINDOW / 2) * source.scale, (top + WINDOW / 2) * source.scale);
         const int cell = mesh.lattice().locate(centre).cell;

@@ -21,7 +21,7 @@ public:
     /** @param state of the target; must outlive the lookup  @param shift canvas px by which it is seen beside its own place
     @param want_cell whether point() and the colour of its quad are needed */
     TargetLookup(const ImageState& state, Point2d shift, bool want_cell)
-        : state_(state), shift_(shift), at_rest_(state.mesh.isTranslation(origin_)),
+        : state_(state), shift_(shift), is_translation_(state.mesh.isTranslation(origin_)),
           want_cell_(want_cell || !state.color.isIdentity()), bounds_(state.mesh.bounds())
     {
         point_.cell = 0;
@@ -38,7 +38,7 @@ public:
 
     bool find(Point2d canvas)
     {
-        if (at_rest_)
+        if (is_translation_)
         {
             reference_ = canvas - shift_ - origin_;
             if (!state_.mesh.lattice().contains(reference_))
@@ -67,7 +67,7 @@ public:
             gx[c] = color()[c].gain * pixel.dx[c];
             gy[c] = color()[c].gain * pixel.dy[c];
         }
-        if (at_rest_)
+        if (is_translation_)
             return;
         const Matx22d inverse = inverseOf(state_.mesh.jacobian(point_));
         for (int c = 0; c < CHANNELS; ++c)
@@ -94,7 +94,7 @@ private:
     const ImageState& state_;
     Point2d shift_;
     Point2d origin_;
-    bool at_rest_;
+    bool is_translation_;
     bool want_cell_;
     Rect2d bounds_; ///< of the target's mesh on the canvas
     int hint_ = -1;

@@ -19,7 +19,7 @@ const double DAMPING = 1e-4; ///< weight of a vertex step, px^2: keeps vertices 
 
 } // namespace
 
-GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
+MatchFilterStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough, const MeshGrid& fixed,
                        Point2d shift_fixed, const MatchFilterSchedule& schedule)
 {
     PointTerm points(0, 1, moving.lattice(), fixed.lattice(), matches, 1, RobustLoss(), shift_fixed);
@@ -39,7 +39,7 @@ GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, con
         if (system.solve(step) != SolveStatus::Solved)
         {
             matches.clear();
-            return GateStatus::Unsolved;
+            return MatchFilterStatus::Unsolved;
         }
         mesh = moved(mesh, step[0], 1);
         if (scale <= schedule.end_px)
@@ -52,9 +52,9 @@ GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, con
             kept.push_back(matches[i]);
     matches.swap(kept);
     if (mesh.countFolds() > 0)
-        return GateStatus::Folded; // as a prediction it would swap neighbouring points
+        return MatchFilterStatus::Folded; // as a prediction it would swap neighbouring points
     moving = mesh;
-    return GateStatus::Fitted;
+    return MatchFilterStatus::Fitted;
 }
 
 } // namespace gcpw

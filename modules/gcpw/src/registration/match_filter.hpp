@@ -22,7 +22,7 @@ struct MatchFilterSchedule
     double similarity_weight = 0.2;
 };
 
-enum class GateStatus
+enum class MatchFilterStatus
 {
     Fitted,
     Folded,  ///< the mesh that follows the matches folds
@@ -38,7 +38,7 @@ match is verified
 @param moving the mesh to start from; receives the fitted mesh if Fitted, else it stays as it was
 @param rough whose quads keep their shape  @param fixed mesh of the fixed image
 @param shift_fixed canvas px by which it is seen beside its own place */
-[[nodiscard]] GateStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough,
+[[nodiscard]] MatchFilterStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& moving, const MeshGrid& rough,
                                        const MeshGrid& fixed, Point2d shift_fixed, const MatchFilterSchedule& schedule);
 
 } // namespace gcpw

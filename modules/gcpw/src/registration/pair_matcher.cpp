@@ -77,22 +77,22 @@ MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, 
         std::vector<PointMatch> points = toPointMatches(
             a.keypoints, b.keypoints,
             matchNearby(a.keypoints, b.keypoints, expectation(fitted, fixed, shift_b), search_radius, params.matchRatio));
-        const GateStatus status = filterMatches(points, fitted, rough, fixed, shift_b, schedule);
-        if (status != GateStatus::Unsolved)
+        const MatchFilterStatus status = filterMatches(points, fitted, rough, fixed, shift_b, schedule);
+        if (status != MatchFilterStatus::Unsolved)
             matches.points.swap(points);
         return status;
     };
-    const GateStatus first = matchAround(SEARCH_SHARE * std::hypot(size.width, size.height));
-    if (first == GateStatus::Unsolved)
+    const MatchFilterStatus first = matchAround(SEARCH_SHARE * std::hypot(size.width, size.height));
+    if (first == MatchFilterStatus::Unsolved)
     {
         CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the matches of a pair; it is aligned without any");
         return matches;
     }
     // Around the rough mesh, which is what remains of a folded fit, the small radius would lose all parallax.
-    if (params.guidedMatching != 0 && first == GateStatus::Fitted)
+    if (params.guidedMatching != 0 && first == MatchFilterStatus::Fitted)
     {
         schedule.start_px = REFINED_RADIUS;
-        if (matchAround(REFINED_RADIUS) == GateStatus::Unsolved)
+        if (matchAround(REFINED_RADIUS) == MatchFilterStatus::Unsolved)
             CV_LOG_WARNING(nullptr, "gcpw: no mesh fits the guided matches of a pair; those found before are kept");
     }
     if (kinds.lines)

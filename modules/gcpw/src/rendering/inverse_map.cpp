@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include "geometry/homography.hpp"
 
 namespace cv
 {
@@ -60,9 +61,18 @@ Rect coveredRect(const MeshGrid& mesh, const FrameScale& canvas)
     return bounds;
 }
 
-void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const FrameScale& source, Rect roi, Mat& map,
-                     Mat& mask)
+MeshGrid viewed(const MeshGrid& mesh, const FrameScale& canvas, const Matx33d& view)
 {
+    MeshGrid result = mesh;
+    for (Point2d& vertex : result.vertices())
+        vertex = applyHomography(view, canvas.toFull(vertex));
+    return result;
+}
+
+void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const FrameScale& source, Rect roi, Mat& map,
+                     Mat& mask, const Matx33d& view)
+{
+    const Matx33d canvas_from_view = view.inv();
     map.create(roi.size(), CV_32FC2);
     map.setTo(Scalar::all(-1));
     mask.create(roi.size(), CV_8UC1);
@@ -80,15 +90,20 @@ void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const Frame
             for (int cell = 0; cell < lattice.cellCount(); ++cell)
             {
                 std::array<Point2d, 4> quad;
+                std::array<Point2d, 4> shown;
                 for (int k = 0; k < 4; ++k)
+                {
                     quad[k] = canvas.toFull(mesh.vertex(cell, k));
-                const Box box = boxOf(quad, clip);
+                    shown[k] = applyHomography(view, quad[k]);
+                }
+                const Box box = boxOf(shown, clip);
                 for (int y = box.top; y <= box.bottom; ++y)
                     for (int x = box.left; x <= box.right; ++x)
                     {
                         double u = 0;
                         double v = 0;
-                        if (!invertBilinear(quad, Point2d(x, y), u, v) || !isInQuad(u, v))
+                        // Inverted on the canvas, where the quad is bilinear: the alignment stays exact in any view.
+                        if (!invertBilinear(quad, applyHomography(canvas_from_view, Point2d(x, y)), u, v) || !isInQuad(u, v))
                             continue;
                         CellPoint point;
                         point.cell = cell;

@@ -23,9 +23,14 @@ Rect coveredRect(const MeshGrid& mesh, const FrameScale& canvas);
 @param canvas, source scales of the two frames
 @param roi full-resolution canvas pixels
 @param map CV_32FC2 of roi's size: full-resolution source position; (-1, -1) where the mesh does not cover the centre
-@param mask CV_8UC1 of roi's size: 255 exactly where the mesh covers the pixel's centre */
+@param mask CV_8UC1 of roi's size: 255 exactly where the mesh covers the pixel's centre
+@param view homography of the full-resolution canvas, with positive depth all over the mesh: roi then lies in what it makes of
+the canvas */
 void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const FrameScale& source, Rect roi, Mat& map,
-                     Mat& mask);
+                     Mat& mask, const Matx33d& view = Matx33d::eye());
+
+/// The mesh with its vertices where a view of the full-resolution canvas shows them; a quad's inside is only nearly bilinear there.
+MeshGrid viewed(const MeshGrid& mesh, const FrameScale& canvas, const Matx33d& view);
 
 } // namespace gcpw
 } // namespace cv

@@ -4,6 +4,7 @@
 #include "stitching/affine_warper.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 namespace cv
@@ -13,6 +14,8 @@ namespace gcpw
 
 namespace
 {
+
+const double FARTHEST = 1e9; ///< px: rectangles of twice this size still fit an int
 
 Matx33d matrixOf(InputArray input)
 {
@@ -60,6 +63,10 @@ Rect AffineWarper::warpRoi(Size src_size, InputArray K, InputArray R)
         low = Point2d(std::min(low.x, p.x), std::min(low.y, p.y));
         high = Point2d(std::max(high.x, p.x), std::max(high.y, p.y));
     }
+    for (const double value : {low.x, low.y, high.x, high.y})
+        if (!(std::abs(value) <= FARTHEST))
+            CV_Error(Error::StsOutOfRange, format("gcpw: the affine map puts an image of %d x %d px at (%g, %g) to (%g, %g), beyond any canvas",
+                                                  src_size.width, src_size.height, low.x, low.y, high.x, high.y));
     return {Point(cvFloor(low.x), cvFloor(low.y)), Point(cvCeil(high.x) + 1, cvCeil(high.y) + 1)};
 }
 

@@ -62,6 +62,11 @@ void GcpwCompensator::feed(const std::vector<Point>& corners, const std::vector<
         CV_CheckType(images[i].type(), images[i].type() == CV_8UC3 || images[i].type() == CV_8UC1,
                      "gcpw: feed() takes 8-bit BGR or gray images, as apply() does");
         CV_CheckTypeEQ(masks[i].first.type(), CV_8UC1, "gcpw: feed() takes masks of type CV_8UC1");
+        const Size size = images[i].size();
+        const Size mask = masks[i].first.size();
+        if (size.empty() || mask != size)
+            CV_Error(Error::StsUnmatchedSizes, format("gcpw: image %zu given to feed() is %d x %d px and its mask %d x %d px; they need one size",
+                                                      i, size.width, size.height, mask.width, mask.height));
         pictures.push_back(images[i].getMat(ACCESS_READ));
         inside.push_back(masks[i].first.getMat(ACCESS_READ) == masks[i].second);
     }

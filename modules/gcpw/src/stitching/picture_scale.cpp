@@ -40,14 +40,14 @@ double pictureScale(const RigModel& model, int index, Rect picture, const std::v
     const double fitted = seen.dot(unit) / unit.dot(unit); // least squares of scale * unit = seen
     const double slack = SLACK * std::max(picture.width, picture.height) + SLACK_PX;
     double best = 0;
-    double best_miss = slack;
+    double least_deviation = slack;
     for (const float scale : made)
     {
-        const double miss = norm(unit * (scale - fitted), NORM_INF);
-        if (miss < best_miss)
+        const double deviation = norm(unit * (scale - fitted), NORM_INF);
+        if (deviation < least_deviation)
         {
             best = scale;
-            best_miss = miss;
+            least_deviation = deviation;
         }
     }
     if (best > 0)

@@ -3,11 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "opencv2/gcpw/rig.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 #include "api/alignment_io.hpp"
 #include "api/model_file.hpp"
+#include "stitching/rig_fault.hpp"
 
 namespace cv
 {
@@ -30,38 +29,11 @@ bool sameCamera(const cv::detail::CameraParams& a, const cv::detail::CameraParam
            R_b.total() == 9 && std::memcmp(R_a.data, R_b.data, 9 * sizeof(float)) == 0;
 }
 
-void checkPositive(const std::string& name, double value)
-{
-    if (!(value > 0) || !std::isfinite(value))
-        CV_Error(Error::StsOutOfRange, format("gcpw: %s is %g; it must be finite and above 0", name.c_str(), value));
-}
-
-void checkCount(const char* name, size_t count, size_t images)
-{
-    if (count != 0 && count != images)
-        CV_Error(Error::StsUnmatchedSizes,
-                 format("gcpw: %s of a rig has %zu entries; it has one for each of the %zu images, or none", name, count, images));
-}
-
-void checkCamera(const cv::detail::CameraParams& camera, size_t index)
-{
-    const std::string of = format(" of camera %zu", index);
-    if (camera.R.size() != Size(3, 3) || camera.R.channels() != 1 || camera.R.dims != 2)
-        CV_Error(Error::StsBadArg, "gcpw: R" + of + " is not a 3 x 3 matrix");
-    if (!checkRange(camera.R))
-        CV_Error(Error::StsOutOfRange, "gcpw: R" + of + " holds values that are not finite");
-    checkPositive("focal" + of, camera.focal);
-    checkPositive("aspect" + of, camera.aspect);
-    if (!std::isfinite(camera.ppx) || !std::isfinite(camera.ppy))
-        CV_Error(Error::StsOutOfRange, format("gcpw: the principal point%s is (%g, %g); it must be finite", of.c_str(), camera.ppx, camera.ppy));
-}
-
 } // namespace
 
 bool Rig::usable() const
 {
-    return alignment.ok() && alignment.imageCount() > 0 &&
-           static_cast<size_t>(alignment.imageCount()) == cameras.size() && scale > 0;
+    return alignment.ok() && alignment.imageCount() > 0 && findFault(*this).message.empty();
 }
 
 bool Rig::fits(const std::vector<cv::detail::CameraParams>& others) const
@@ -76,30 +48,9 @@ bool Rig::fits(const std::vector<cv::detail::CameraParams>& others) const
 
 void Rig::check() const
 {
-    const size_t images = static_cast<size_t>(alignment.imageCount());
-    if (images == 0 || !alignment.ok())
-        return;
-    if (cameras.size() != images)
-        CV_Error(Error::StsUnmatchedSizes, format("gcpw: a rig of %zu images has %zu cameras", images, cameras.size()));
-    for (size_t i = 0; i < images; ++i)
-        checkCamera(cameras[i], i);
-    checkCount("image_sizes", image_sizes.size(), images);
-    for (size_t i = 0; i < image_sizes.size(); ++i)
-        if (image_sizes[i].width < 1 || image_sizes[i].height < 1)
-            CV_Error(Error::StsOutOfRange, format("gcpw: image_sizes[%zu] of a rig is %d x %d px; both must be at least 1", i,
-                                                  image_sizes[i].width, image_sizes[i].height));
-    checkCount("component", component.size(), images);
-    for (size_t i = 0; i < component.size(); ++i)
-        if (component[i] < 0 || std::find(component.begin(), component.begin() + static_cast<std::ptrdiff_t>(i), component[i]) !=
-                                    component.begin() + static_cast<std::ptrdiff_t>(i))
-            CV_Error(Error::StsOutOfRange,
-                     format("gcpw: component[%zu] of a rig is %d; indices start at 0 and none comes twice", i, component[i]));
-    checkCount("turns", turns.size(), images);
-    for (size_t i = 0; i < turns.size(); ++i)
-        if (!(std::abs(turns[i]) <= 2 * CV_PI))
-            CV_Error(Error::StsOutOfRange, format("gcpw: turns[%zu] of a rig is %g; radians of at most one circle are taken", i, turns[i]));
-    checkPositive("scale of a rig", scale);
-    checkPositive("work_scale of a rig", work_scale);
+    const RigFault fault = findFault(*this);
+    if (!fault.message.empty())
+        CV_Error(fault.code, fault.message);
 }
 
 void Rig::save(const std::string& path) const

@@ -25,6 +25,7 @@ namespace
 
 const double MAX_GROWTH = 16;     ///< of an image's area by the base warper: beyond it the camera is wrong
 const double MAX_MOVE = 0.5;      ///< of the larger side of an image: a mesh that moves farther is no refinement
+const double MAX_PLACE = 1e9;     ///< px from the canvas's origin: corners are int
 const double WORK_SLACK = 2;      ///< the canvas may have this many times workMegapix before it is scaled down once more
 const double WHOLE_CIRCLE = 0.95; ///< fraction of the period from which on the canvas may close
 
@@ -61,6 +62,8 @@ std::string cameraFault(const Mat& K, const Mat& R, size_t index)
 
 std::string roiFault(Rect roi, Size image, size_t index)
 {
+    if (std::abs(static_cast<double>(roi.x)) > MAX_PLACE || std::abs(static_cast<double>(roi.y)) > MAX_PLACE)
+        return format("camera %zu would put its picture at (%d, %d)", index, roi.x, roi.y);
     if (roi.width > 0 && roi.height > 0 && roi.width <= MAX_REMAP_SIDE && roi.height <= MAX_REMAP_SIDE &&
         static_cast<double>(roi.width) * roi.height <= MAX_GROWTH * image.area() + 1e4)
         return {};
@@ -76,8 +79,8 @@ std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypo
     canvas.images.resize(images.size());
     canvas.masks.resize(images.size());
     bool straddles = false;
-    int left = MAX_REMAP_SIDE;
-    int right = -MAX_REMAP_SIDE;
+    double left = MAX_REMAP_SIDE;
+    double right = -MAX_REMAP_SIDE;
     for (size_t i = 0; i < images.size(); ++i)
     {
         Mat K;
@@ -109,8 +112,8 @@ std::string warpAll(const std::vector<Mat>& images, const std::vector<KnownKeypo
         rig.turns.push_back(seam_rotation_rad);
         rig.image_sizes.push_back(size);
         straddles = straddles || seam_rotation_rad != 0;
-        left = std::min(left, corner.x);
-        right = std::max(right, corner.x + canvas.images[i].cols);
+        left = std::min<double>(left, corner.x);
+        right = std::max<double>(right, static_cast<double>(corner.x) + canvas.images[i].cols);
     }
     if (!straddles && right - left < WHOLE_CIRCLE * canvas.period)
         canvas.period = 0;

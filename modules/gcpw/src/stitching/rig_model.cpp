@@ -4,7 +4,9 @@
 #include "stitching/rig_model.hpp"
 
 #include <algorithm>
+#include <opencv2/core/utils/logger.hpp>
 #include "api/result.hpp"
+#include "stitching/rig_fault.hpp"
 
 namespace cv
 {
@@ -55,9 +57,9 @@ Point2d PlacedMesh::referenceAt(Point2d canvas_px, int& hint) const
     const double close_px = 1e-4;
     for (int i = 0; i < max_steps; ++i)
     {
-        const Point2d miss = canvas_px - canvasAt(reference);
-        reference += miss;
-        if (miss.dot(miss) < close_px * close_px)
+        const Point2d error = canvas_px - canvasAt(reference);
+        reference += error;
+        if (error.dot(error) < close_px * close_px)
             break;
     }
     return reference;
@@ -65,7 +67,9 @@ Point2d PlacedMesh::referenceAt(Point2d canvas_px, int& hint) const
 
 std::shared_ptr<const RigModel> RigModel::create(const Rig& rig)
 {
-    rig.check();
+    const RigFault fault = findFault(rig);
+    if (!fault.message.empty())
+        CV_LOG_WARNING(nullptr, fault.message << "; the base warper is used");
     if (!rig.usable())
         return {};
     auto model = std::make_shared<RigModel>();

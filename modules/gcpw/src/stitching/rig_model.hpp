@@ -55,7 +55,7 @@ public:
         bool isIdentity = false;      ///< the mesh is where the base warper has the image
     };
 
-    /// Nothing if the rig is not usable. @throws cv::Exception see Rig::check()
+    /// Nothing if the rig is not usable; if its parts contradict each other, what is wrong is logged.
     static std::shared_ptr<const RigModel> create(const Rig& rig);
 
     const std::vector<Item>& items() const { return items_; }

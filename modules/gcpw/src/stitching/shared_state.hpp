@@ -28,7 +28,7 @@ struct SharedState
 
     void setRig(const Rig& new_rig)
     {
-        // The model first: if it cannot be made, the former rig stays.
+        // The model first: if there is no memory for it, the former rig stays.
         const std::shared_ptr<const RigModel> new_model = RigModel::create(new_rig);
         rig = new_rig;
         model = new_model;

@@ -7,6 +7,7 @@
 #include <exception>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
+#include "stitching/rig_fault.hpp"
 
 namespace cv
 {
@@ -45,7 +46,8 @@ Binding::Binding(const Ptr<Stitcher>& stitcher, const Params& params, const Prog
 void Binding::setRig(const Rig& rig)
 {
     shared_state_->setRig(rig);
-    lasting_ = rig.alignment.report().status != Status::CANCELLED;
+    // One whose parts contradict each other says nothing about the stitcher's cameras.
+    lasting_ = rig.alignment.report().status != Status::CANCELLED && findFault(rig).message.empty();
 }
 
 void Binding::setImages(InputArrayOfArrays images)

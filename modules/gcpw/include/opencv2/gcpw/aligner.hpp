@@ -41,7 +41,7 @@ panorama keeps the mean light and hue of its photographs (Params::balanceWeight)
 const cv::Ptr<cv::gcpw::Aligner> aligner = cv::gcpw::Aligner::create();
 const cv::gcpw::Alignment alignment = aligner->align(corners, images, masks);
 @endcode */
-class CV_EXPORTS Aligner
+class CV_EXPORTS_W Aligner
 {
 public:
     virtual ~Aligner();
@@ -49,7 +49,7 @@ public:
     /** @brief Makes an aligner.
     @param params kept as a copy
     @throws cv::Exception if params are out of range */
-    static Ptr<Aligner> create(const Params& params = Params());
+    CV_WRAP static Ptr<Aligner> create(const Params& params = Params());
 
     /** @brief Aligns images that a rough alignment has already warped onto one canvas.
 
@@ -64,12 +64,14 @@ public:
     @throws cv::Exception before any work, if counts, sizes or types do not fit, a value is not finite, the canvas would exceed
     2^20 px a side or Params::canvasPeriod is narrower than an image */
     virtual Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks,
-                            const std::vector<Correspondences>& correspondences = std::vector<Correspondences>(),
-                            const Progress& progress = Progress(),
+                            const std::vector<Correspondences>& correspondences, const Progress& progress = Progress(),
                             const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>()) = 0;
 
+    /// The same with nothing known beforehand.
+    CV_WRAP Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks);
+
     /// What create() was given.
-    virtual const Params& params() const = 0;
+    CV_WRAP virtual const Params& params() const = 0;
 };
 
 //! @}

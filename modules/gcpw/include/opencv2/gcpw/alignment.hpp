@@ -54,7 +54,11 @@ enum class StopReason
     CANCELLED = 5        //!< the progress callback said stop
 };
 
-/// What happened on one pyramid level.
+/** @brief What happened on one pyramid level.
+
+Energies can be compared within a level only: another level has other samples, exposures and anchors. Even within one, weights
+that a term chooses from the state hold for one iteration: it never raises the energy, while `end` may exceed `start` by what the
+weights changed. */
 struct CV_EXPORTS LevelReport
 {
     double scale = 1; //!< working pixels per pixel of this level, >= 1
@@ -178,6 +182,9 @@ public:
     CV_WRAP void save(const std::string& path) const;
 
     /** @brief Reads what save() wrote.
+
+    Damaged files are refused, also where OpenCV's parser would crash; of compressed ones (.gz) it reads whatever they hold, so that
+    these should come from somebody you trust.
     @param path of the file
     @throws cv::Exception StsError if there is no such file, StsParseError if it is not an alignment; both name the file */
     CV_WRAP static Alignment load(const std::string& path);

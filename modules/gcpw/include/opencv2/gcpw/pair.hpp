@@ -17,7 +17,7 @@ namespace gcpw
 /** @brief Aligns a source photograph to a target photograph: the paper's two-image case.
 
 Keypoints and line segments give a rough homography, then mesh and colour of the source are estimated together. The
-canvas is the target's own frame.
+canvas of the alignment is the target's own frame; renderPair() shows it in any View.
 
 @code
 const cv::gcpw::Alignment alignment = cv::gcpw::alignPair(source, target);
@@ -29,7 +29,7 @@ cv::gcpw::blendPair(cv::gcpw::renderPair(alignment, source, target), cv::gcpw::B
 
 @param source photograph to be warped: 8-bit BGR, gray or BGRA; 16-bit is scaled down. A 4th channel is the mask of valid
 pixels
-@param target photograph that keeps its place, of the same types
+@param target photograph that it is aligned to, of the same types
 @param params see Params; referenceImage, canvasPeriod, restWeight and balanceWeight are ignored
 @return image 0 is the source, image 1 the target, undeformed. No images and Status::NO_ALIGNMENT if the photographs do not match;
 Status::ROUGH if they match and the refinement failed or improved nothing
@@ -62,7 +62,20 @@ enum class Blend
     MULTIBAND = 1 //!< OpenCV's graph-cut seam and multi-band blender, of the source with its colours corrected
 };
 
-/// Both photographs on one canvas at the target's resolution; all Mats have one size.
+/** @brief From where the two photographs of a picture are seen.
+
+In the target's own frame all distortion is the source's: where the camera turned far between the two, the source is stretched
+and the canvas grows. The natural view shares it out. It is one homography of the whole canvas, the one that stretches both
+photographs least, so alignment and straight lines stay as they are in the target's frame. Its scale keeps the area of both
+together, so that where a wide pair overlaps it may show down to 0.6 pixels for one of the target. It is upright halfway between
+both photographs; quarter turns of a camera held on its side are not halved. */
+enum class View
+{
+    TARGET = 0, //!< the target's frame, as in the paper: the target is only shifted and its pixels are copied
+    NATURAL = 1 //!< between both photographs: both are resampled
+};
+
+/// Both photographs on one canvas, in pixels of its view; all images and masks have one size.
 struct CV_EXPORTS_W_SIMPLE PairCanvas
 {
     CV_WRAP PairCanvas() {}
@@ -70,18 +83,20 @@ struct CV_EXPORTS_W_SIMPLE PairCanvas
     CV_PROP_RW Mat source;           //!< warped source, colours unchanged, CV_8UC3; black outside its mask
     CV_PROP_RW Mat source_mask;      //!< CV_8UC1: 255 exactly where the mesh covers a pixel centre with a valid pixel
     CV_PROP_RW Mat source_corrected; //!< warped source with the colour model applied, CV_8UC3
-    CV_PROP_RW Mat target;           //!< the target, only translated, CV_8UC3; black outside its mask
+    CV_PROP_RW Mat target;           //!< the target as its view has it, CV_8UC3; black outside its mask
     CV_PROP_RW Mat target_mask;      //!< CV_8UC1: 255 where the target has a valid pixel
     CV_PROP_RW Mat mesh;             //!< the mesh drawn over the mean of both, CV_8UC3
-    CV_PROP_RW Point target_origin;  //!< canvas pixel of the target's top-left pixel
+    CV_PROP_RW Point target_origin;  //!< canvas pixel of the target's top-left pixel, rounded
+    CV_PROP_RW Mat canvas_from_target; //!< 3 x 3, CV_64FC1: homography from pixels of the target; a shift for View::TARGET
 };
 
 /** @brief Renders an alignment at full resolution.
 @param alignment from alignPair(), with a status other than NO_ALIGNMENT
 @param source the aligned source or a recoloured copy of the same size
 @param target the target or a recoloured copy of the same size
+@param view from where both are seen. Scores of different alignments compare only in View::TARGET
 @throws cv::Exception if sizes do not fit, or if the canvas would exceed 32766 px a side or 400 Mpx */
-CV_EXPORTS_W PairCanvas renderPair(const Alignment& alignment, InputArray source, InputArray target);
+CV_EXPORTS_W PairCanvas renderPair(const Alignment& alignment, InputArray source, InputArray target, View view = View::TARGET);
 
 /** @brief One picture of a canvas.
 @param canvas from renderPair()
@@ -103,10 +118,11 @@ CV_EXPORTS_W Score scorePair(const PairCanvas& canvas);
 @param panorama receives the picture, CV_8UC3; not touched unless true is returned
 @param params see alignPair()
 @param blend how the two become one picture
+@param view from where both are seen
 @return false if no alignment was found; true also for a rough one
 @throws cv::Exception see alignPair() and renderPair() */
 CV_EXPORTS_W bool stitchPair(InputArray source, InputArray target, OutputArray panorama, const Params& params = Params(),
-                             Blend blend = Blend::MULTIBAND);
+                             Blend blend = Blend::MULTIBAND, View view = View::NATURAL);
 
 //! @}
 

@@ -41,14 +41,18 @@ struct CV_EXPORTS_W_SIMPLE Rig
     CV_PROP_RW float scale;       //!< of the base warper that made the canvas: canvas pixels per radian, > 0 if usable
     CV_PROP_RW double work_scale; //!< pixels of the estimation per pixel of the photographs as given, > 0
 
-    /// Whether there is a refinement to render: status OK and one mesh for each camera.
+    /** @brief Whether there is a refinement to render: status OK, meshes, and nothing that check() refuses.
+
+    Whatever takes a rig (GcpwWarper, GcpwRotationWarper, StitcherBinding) goes on without one that is not usable, and logs what is
+    wrong where check() would throw. */
     CV_WRAP bool usable() const;
 
     /** @brief Refuses a rig that says it is refined but cannot be rendered; one without a refinement always passes.
 
-    Called by every function that takes a rig. With status OK and images: as many cameras as images, each with an R of 3 x 3 finite values,
+    Called by load(). With status OK and images: as many cameras as images, each with an R of 3 x 3 finite values,
     a finite focal length and aspect > 0 and a finite principal point; `image_sizes`, `component` and `turns` each empty or
-    one for each image: sizes of 1 px or more, indices from 0 on and none twice, turns of at most one circle; finite scales > 0.
+    one for each image: sizes of 1 px or more, indices from 0 on and none twice, turns of at most one circle; finite scales > 0;
+    meshes of at most 2^20 px a side, within 10^9 px of the origin.
     @throws cv::Exception that names the member and its value */
     CV_WRAP void check() const;
 
@@ -62,6 +66,9 @@ struct CV_EXPORTS_W_SIMPLE Rig
     CV_WRAP void save(const std::string& path) const;
 
     /** @brief Reads what save() wrote.
+
+    Damaged files are refused, also where OpenCV's parser would crash; of compressed ones (.gz) it reads whatever they hold, so that
+    these should come from somebody you trust.
     @param path of the file
     @throws cv::Exception StsError if there is no such file, StsParseError if it is not a rig; both name the file */
     CV_WRAP static Rig load(const std::string& path);

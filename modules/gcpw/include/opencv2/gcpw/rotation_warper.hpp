@@ -41,8 +41,9 @@ class CV_EXPORTS GcpwRotationWarper : public cv::detail::RotationWarper
 {
 public:
     /** @param base warper at the scale that this one is to have
-    @param rig what to put behind it; one that is not usable() leaves the base warper
-    @throws cv::Exception StsNullPtr if there is no base, or see Rig::check() */
+    @param rig what to put behind it; one that is not usable() leaves the base warper; one that Rig::check()
+    refuses is logged
+    @throws cv::Exception StsNullPtr if there is no base */
     explicit GcpwRotationWarper(const Ptr<cv::detail::RotationWarper>& base, const Rig& rig = Rig());
     ~GcpwRotationWarper() CV_OVERRIDE;
 
@@ -106,6 +107,37 @@ private:
 
     class Impl;
     std::unique_ptr<Impl> impl_;
+};
+
+/** @brief GcpwRotationWarper with a base warper by its name, for languages without cv::detail::RotationWarper.
+
+Has the members of cv::PyRotationWarper and takes its place in a stitching loop in Python:
+@code{.py}
+rig = cv2.gcpw.alignRig(images, cameras, "spherical")
+warper = cv2.gcpw.PyGcpwWarper("spherical", scale, rig)
+corner, picture = warper.warp(images[0], K, rig.cameras[0].R, cv2.INTER_LINEAR, cv2.BORDER_REFLECT)
+@endcode */
+class CV_EXPORTS_W PyGcpwWarper
+{
+public:
+    /** @param warper a name that alignRig() knows
+    @param scale of the base warper, > 0
+    @param rig see GcpwRotationWarper
+    @throws cv::Exception StsBadArg if there is no warper of that name, or see Rig::check() */
+    CV_WRAP PyGcpwWarper(const String& warper, float scale, const Rig& rig = Rig());
+
+    CV_WRAP Point2f warpPoint(const Point2f& pt, InputArray K, InputArray R); //!< see GcpwRotationWarper, as all members
+    CV_WRAP Point2f warpPointBackward(const Point2f& pt, InputArray K, InputArray R);
+    CV_WRAP Rect buildMaps(Size src_size, InputArray K, InputArray R, OutputArray xmap, OutputArray ymap);
+    CV_WRAP Point warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, CV_OUT OutputArray dst);
+    CV_WRAP void warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, Size dst_size,
+                              CV_OUT OutputArray dst);
+    CV_WRAP Rect warpRoi(Size src_size, InputArray K, InputArray R);
+    CV_WRAP float getScale() const;
+    CV_WRAP void setScale(float scale); //!< @param scale > 0
+
+private:
+    Ptr<GcpwRotationWarper> warper_;
 };
 
 //! @}

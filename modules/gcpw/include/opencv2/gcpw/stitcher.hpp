@@ -31,8 +31,8 @@ public:
     CV_WRAP virtual const Rig& rig() const = 0;
 
     /** @brief Sets a rig estimated before, by this or another process. Used as long as Rig::fits() the stitcher's cameras.
-    @param rig with one that is not usable() its cameras get the plain warper
-    @throws cv::Exception see Rig::check(); the old rig is kept then */
+    @param rig with one that is not usable() its cameras get the plain warper; one that Rig::check() refuses is logged and taken
+    for none */
     CV_WRAP virtual void setRig(const Rig& rig) = 0;
 
     /** @brief Sets images to estimate from where the stitcher detects no features: after Stitcher::setTransform() without a rig.

@@ -32,8 +32,8 @@ class CV_EXPORTS GcpwWarper : public WarperCreator
 {
 public:
     /** @param base creator of the base warper: the one that the rig was estimated with
-    @param rig one that is not usable() leaves the base warper
-    @throws cv::Exception StsNullPtr if there is no base, or see Rig::check() */
+    @param rig one that is not usable() leaves the base warper; one that Rig::check() refuses is logged
+    @throws cv::Exception StsNullPtr if there is no base */
     explicit GcpwWarper(const Ptr<WarperCreator>& base, const Rig& rig = Rig());
 
     /** @brief A GcpwRotationWarper with the rig of this moment.
@@ -44,8 +44,7 @@ public:
     const Rig& rig() const;
 
     /** @brief Replaces the rig, for warpers made from now on and for compensators made already.
-    @param rig one that is not usable() leaves the base warper
-    @throws cv::Exception see Rig::check(); the old rig is kept then */
+    @param rig one that is not usable() leaves the base warper; one that Rig::check() refuses is logged */
     void setRig(const Rig& rig);
 
     /// Creator of the base warper.
