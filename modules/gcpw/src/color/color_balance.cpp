@@ -10,7 +10,7 @@
 #include "color/color_agreement.hpp"
 #include "color/color_priors.hpp"
 #include "color/exposures.hpp"
-#include "color/photograph_tone.hpp"
+#include "color/tone_limits.hpp"
 #include "energy/color_smoothness_term.hpp"
 #include "solver/color_system.hpp"
 #include "solver/robust_loss.hpp"
@@ -23,13 +23,11 @@ namespace gcpw
 namespace
 {
 
-const int PASSES = 20;           ///< of re-weighting, of the limits' active set and of Newton's method on a logarithm
-const double STEP = 0.5;         ///< towards a pass' answer: with whole steps the sets of pixels at their limits may alternate
+const int PASSES = 5;            ///< of re-weighting and of Newton's method on a logarithm
 const double REST = 0.2;         ///< of the prior of a compared quad is that of another: its colour fades over some quads
 const double DEVIATIONS = 10;    ///< robust standard deviations: wide, as light may differ from place to place
 const double HUE = 0.3;          ///< weight of Cr and Cb against Y: a tint of a part is seen sooner than a step of hue at a cut
 const double TINT = 10.0 / 255;  ///< local difference of hue beyond which two images show two things, not two lights
-const double LIMIT_WEIGHT = 30;  ///< of a pixel that is crushed or blown, against one that is compared
 const double MIN_VARIANCE = 1e-5; ///< of an intensity: noise of 8-bit images, no contrast to compare
 
 /// How much one comparison of two quads counts in Y, and in Cr and Cb.
@@ -130,24 +128,20 @@ public:
 
     std::vector<ColorGrid> run()
     {
-        keepMeans();
         for (int pass = 0; pass < PASSES; ++pass)
         {
             // NotConverged is an answer: conjugate gradients lower the energy, and the next pass goes on from there.
-            const std::vector<ColorGrid> before = colors_;
             if (solve() == SolveStatus::NotPositiveDefinite)
             {
                 CV_LOG_INFO(nullptr, "gcpw: the colour balance is singular in pass " << pass << "; the last colours are kept");
                 break;
             }
             for (size_t i = 0; i < colors_.size(); ++i)
-                colors_[i] = mixed(before[i], colors_[i], STEP);
-            for (size_t i = 0; i < colors_.size(); ++i)
                 for (int cell = 0; !fixed_[i] && cell < lattices_[i].cellCount(); ++cell)
                     for (ChannelAffine& map : colors_[i].quad(cell))
                         map.gain = plausibleGain(map.gain);
-            keepMeans();
         }
+        limitTones(tones_, comparisons_, {fixed_, gray_, group_}, colors_);
         return colors_;
     }
 
@@ -169,8 +163,6 @@ private:
         {
             ColorSmoothnessTerm(static_cast<int>(i), lattices_[i], params_.colorSmoothnessWeight).addTo(system);
             ColorPriorTerm(static_cast<int>(i), priors[i]).addTo(system);
-            if (!fixed_[i])
-                tones_[i].addLimits(static_cast<int>(i), colors_[i], LIMIT_WEIGHT * params_.photometricWeight, system);
         }
         addComparisons(system);
         return system.solve(colors_);
@@ -214,40 +206,6 @@ private:
                 system.addSamples(source, comparison.own, comparison.source);
                 system.addCross(source, comparison.source, target, comparison.target, comparison.other);
             }
-    }
-
-    /// Shifts the images of each group so that they have the mean light and hue of their photographs; not where one is fixed.
-    void keepMeans()
-    {
-        const int count = static_cast<int>(colors_.size());
-        for (int group = 0; group < count; ++group)
-        {
-            Vec3d change;
-            Vec3d pixels;
-            bool held = false;
-            for (int i = 0; i < count; ++i)
-            {
-                if (group_[i] != group)
-                    continue;
-                held = held || fixed_[i];
-                const Vec3d own = tones_[i].change(colors_[i]);
-                for (int c = 0; c < (gray_[i] ? 1 : CHANNELS); ++c)
-                {
-                    change[c] += own[c];
-                    pixels[c] += tones_[i].pixels();
-                }
-            }
-            for (int i = 0; !held && i < count; ++i)
-                for (int c = 0; group_[i] == group && c < (gray_[i] ? 1 : CHANNELS); ++c)
-                    shift(i, c, -change[c] / std::max(pixels[c], 1.0));
-        }
-    }
-
-    void shift(int image, int channel, double bias)
-    {
-        exposures_[image][channel].bias += bias;
-        for (int cell = 0; cell < lattices_[image].cellCount(); ++cell)
-            colors_[image].quad(cell)[channel].bias += bias;
     }
 
     const Params& params_;

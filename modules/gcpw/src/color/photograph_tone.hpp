@@ -6,12 +6,19 @@
 
 #include <vector>
 #include "imaging/pyramid.hpp"
-#include "solver/color_system.hpp"
+#include "model/color_grid.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
+
+/// What must be done to the Y of a quad so that none of its pixels is crushed or blown: y + lift (1 - y) - lower y.
+struct ToneNeed
+{
+    double lift = 0;
+    double lower = 0;
+};
 
 /** @brief Pixels of a whole photograph, in and outside of its overlaps: what a correction does to its light. */
 class PhotographTone
@@ -19,15 +26,17 @@ class PhotographTone
 public:
     PhotographTone(const PyramidLevel& level, const Lattice& lattice);
 
-    /** @brief Adds weight * (G Y + B - limit)^2 for each pixel that the present colours would crush or blow.
+    /** @brief What the pixels of each quad need under these colours.
 
     A pixel is crushed if its brightest channel falls below 24 gray levels and was not there before, or to 0; blown if its darkest
-    channel rises above 250. Pixels within the limits cost nothing: linearised at the present colours, to be repeated. */
-    void addLimits(int image, const ColorGrid& colors, double weight, ColorSystem& system) const;
+    channel rises above 250 and was not there before. */
+    std::vector<ToneNeed> needs(const ColorGrid& colors) const;
 
-    /// Sum over the pixels of (corrected - photographed), per channel.
+    /// Sum over the pixels of a quad of (corrected - photographed), per channel.
+    Vec3d change(int cell, const ColorGrid::Quad& map) const;
     Vec3d change(const ColorGrid& colors) const;
 
+    double pixels(int cell) const { return cells_[cell].pixels; }
     double pixels() const { return static_cast<double>(pixels_.size()); }
 
 private:
@@ -35,8 +44,16 @@ private:
     {
         int cell;
         float value[CHANNELS];
+        float brightest; ///< of B, G and R
+        float darkest;
+    };
+    struct Cell
+    {
+        double pixels = 0;
+        Vec3d sum;
     };
     std::vector<Pixel> pixels_; ///< in the order of rows
+    std::vector<Cell> cells_;
 };
 
 } // namespace gcpw
