@@ -254,6 +254,19 @@ TEST(Gcpw_ColorBalance, shadows_of_the_brighter_photograph_are_not_lost)
     EXPECT_LE(countNonZero(luma.colRange(0, 50) < 23.5), 0.005 * 2 * SIZE.area());
 }
 
+TEST(Gcpw_ColorBalance, highlights_of_the_darker_photograph_are_not_lost)
+{
+    Two two;
+    two.images[0].convertTo(two.images[0], CV_8U, 0.5);
+    // Away from the other.
+    for (int x = 0; x < 50; ++x)
+        two.images[0].col(x).setTo(Scalar::all(249 - x % 20));
+    const std::vector<ColorGrid> colors = two.balanced();
+    Mat luma;
+    extractChannel(two.shown(0, colors), luma, 0);
+    EXPECT_LE(countNonZero(luma.colRange(0, 50) > 250.5), 0.005 * 2 * SIZE.area());
+}
+
 TEST(Gcpw_ColorBalance, clipped_pixels_do_not_decide_on_the_light)
 {
     Two two;

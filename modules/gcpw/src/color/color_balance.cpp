@@ -26,8 +26,8 @@ namespace
 const int PASSES = 5;            ///< of re-weighting and of Newton's method on a logarithm
 const double REST = 0.2;         ///< of the prior of a compared quad is that of another: its colour fades over some quads
 const double DEVIATIONS = 10;    ///< robust standard deviations: wide, as light may differ from place to place
-const double HUE = 0.3;          ///< weight of Cr and Cb against Y: a tint of a part is seen sooner than a step of hue at a cut
-const double TINT = 10.0 / 255;  ///< local difference of hue beyond which two images show two things, not two lights
+const double HUE = 0.7;             ///< weight of Cr and Cb against Y: a tint of a part is seen sooner than a step of hue at a cut
+const double TINT = 30.0 / 255;  ///< local difference of hue beyond which two images show two things, not two lights
 const double MIN_VARIANCE = 1e-5; ///< of an intensity: noise of 8-bit images, no contrast to compare
 
 /// How much one comparison of two quads counts in Y, and in Cr and Cb.

@@ -79,24 +79,32 @@ private:
 };
 
 /// Logarithm of the gain that gives the source the contrast of the target in a channel.
-double logRatio(const ColorMoments& m, int channel)
+double logRatio(const ColorMoments& m, int channel, bool by_luma)
 {
+    if (channel == 0 || !by_luma)
+        return 0.5 * std::log((m.targetVariance(channel) + NOISE_VARIANCE) / (m.sourceVariance(channel) + NOISE_VARIANCE));
     const double luma = (m.targetVariance(0) + NOISE_VARIANCE) / (m.sourceVariance(0) + NOISE_VARIANCE);
-    if (channel == 0)
-        return 0.5 * std::log(luma);
     // Symmetric: the two images may change places.
     const double even = std::sqrt(luma);
     return 0.5 * std::log((m.targetVariance(channel) + COLORFUL_VARIANCE * even) / (m.sourceVariance(channel) + COLORFUL_VARIANCE / even));
 }
 
-/// The exposures that fit these weights.
-std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons, const QuadWeights& weights,
-                                 const std::vector<bool>& gray, const std::vector<bool>& fixed)
+/// One sum of each comparison.
+typedef std::vector<ColorMoments> MomentsOfPairs;
+
+MomentsOfPairs weighted(const std::vector<ColorComparison>& comparisons, const QuadWeights& weights)
 {
-    std::vector<ColorMoments> moments(comparisons.size());
+    MomentsOfPairs moments(comparisons.size());
     for (size_t k = 0; k < comparisons.size(); ++k)
         for (size_t q = 0; q < comparisons[k].quads.size(); ++q)
             moments[k].add(comparisons[k].quads[q].moments, weights[k][q].moments);
+    return moments;
+}
+
+/// The exposures that fit these sums.
+std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons, const MomentsOfPairs& moments,
+                                 const std::vector<bool>& gray, const std::vector<bool>& fixed, bool by_luma)
+{
     std::vector<ColorGrid::Quad> exposures(fixed.size());
     for (int c = 0; c < CHANNELS; ++c)
     {
@@ -105,7 +113,7 @@ std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons
         {
             const ColorMoments& m = moments[k];
             if (m.samples() > 0 && c < comparableChannels(comparisons[k], gray))
-                log_gains.add(comparisons[k].source_image, comparisons[k].target_image, logRatio(m, c), m.samples());
+                log_gains.add(comparisons[k].source_image, comparisons[k].target_image, logRatio(m, c, by_luma), m.samples());
         }
         std::vector<double> found;
         if (!log_gains.solve(found))
@@ -134,18 +142,31 @@ std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons
 
 } // namespace
 
-std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
-                                               const std::vector<bool>& fixed)
+std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed)
 {
     const std::vector<bool> gray = grayImages(comparisons, fixed.size());
     const QuadWeights likeness = likenessOf(comparisons);
-    std::vector<ColorGrid::Quad> exposures = fit(comparisons, likeness, gray, fixed);
+    std::vector<ColorGrid::Quad> exposures = fit(comparisons, weighted(comparisons, likeness), gray, fixed, true);
     for (int round = 0; round < ROUNDS; ++round)
     {
         const ColorOf colors = [&](int image, int) -> const ColorGrid::Quad& { return exposures[image]; };
-        exposures = fit(comparisons, agreementOf(comparisons, likeness, gray, colors, DEVIATIONS), gray, fixed);
+        const QuadWeights agreement = agreementOf(comparisons, likeness, gray, colors, DEVIATIONS);
+        exposures = fit(comparisons, weighted(comparisons, agreement), gray, fixed, true);
     }
     return exposures;
+}
+
+std::vector<ColorGrid::Quad> exposuresOfAllPixels(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed)
+{
+    MomentsOfPairs moments(comparisons.size());
+    for (size_t k = 0; k < comparisons.size(); ++k)
+        for (const QuadColors& quads : comparisons[k].quads)
+        {
+            ColorMoments all = quads.moments;
+            all.add(quads.clipped, 1);
+            moments[k].add(all, correlationWeight(all));
+        }
+    return fit(comparisons, moments, std::vector<bool>(fixed.size(), false), fixed, false);
 }
 
 } // namespace gcpw

@@ -55,10 +55,11 @@ std::vector<ToneNeed> PhotographTone::needs(const ColorGrid& colors) const
         const double brightest = luma + spread.above;
         const double darkest = luma - spread.below;
         const double lowest = pixel.brightest < DARK ? BLACK : DARK + MARGIN;
-        const double highest = pixel.darkest > WHITE ? 1.0 : WHITE - MARGIN;
         const double missing = std::min(lowest - brightest, BACK * (pixel.brightest - brightest));
-        const double excess = std::min(darkest - highest, BACK * (darkest - pixel.darkest));
         need.lift = std::max(need.lift, missing / std::max(1 - luma, LEAST_REACH));
+        if (pixel.darkest > WHITE)
+            continue; // white before, white afterwards
+        const double excess = std::min(darkest - (WHITE - MARGIN), BACK * (darkest - pixel.darkest));
         need.lower = std::max(need.lower, excess / std::max(luma, LEAST_REACH));
     }
     return needs;

@@ -80,7 +80,7 @@ void CoarseToFine::setColorPriors(const State& state)
         fixed.push_back(image.fixed);
     }
     if (exposures_.empty())
-        exposures_ = problem_.hasManyImages() || params_.exposureWeight > 0 ? estimateExposures(comparisons, fixed) : identity;
+        exposures_ = problem_.hasManyImages() || params_.exposureWeight > 0 ? exposuresOfAllPixels(comparisons, fixed) : identity;
     const ImagePriors compared{std::vector<double>(count, params_.exposureWeight), exposures_};
     const ImagePriors alone{std::vector<double>(count, params_.colorRestWeight), problem_.hasManyImages() ? exposures_ : identity};
     stage_.color_priors = colorPriors(comparisons, lattices, compared, alone);
