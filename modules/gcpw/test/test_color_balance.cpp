@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include "imaging/pyramid.hpp"
 #include "color/color_balance.hpp"
+#include "color/tone_limits.hpp"
 #include "overlap/color_comparison.hpp"
 #include "scene.hpp"
 
@@ -265,6 +266,37 @@ TEST(Gcpw_ColorBalance, highlights_of_the_darker_photograph_are_not_lost)
     Mat luma;
     extractChannel(two.shown(0, colors), luma, 0);
     EXPECT_LE(countNonZero(luma.colRange(0, 50) > 250.5), 0.005 * 2 * SIZE.area());
+}
+
+TEST(Gcpw_ColorBalance, limits_leave_colours_that_crush_and_blow_nothing)
+{
+    const Two two(100);
+    const PhotographTone tone(buildPyramid(two.images[0], Mat(), 1)[0], LATTICE);
+    ColorGrid colors(LATTICE);
+    limitExtremes(tone, colors);
+    EXPECT_TRUE(colors.isIdentity());
+    for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
+        colors.quad(cell)[0] = {1.2, 0};
+    const Mat before = colors.toMat();
+    limitExtremes(tone, colors);
+    EXPECT_EQ(cv::norm(before, colors.toMat(), NORM_INF), 0);
+}
+
+TEST(Gcpw_ColorBalance, limits_hold_for_colours_that_would_crush_or_blow)
+{
+    const Two two;
+    const PhotographTone tone(buildPyramid(two.images[0], Mat(), 1)[0], LATTICE);
+    for (const ChannelAffine& map : {ChannelAffine{0.5, 0}, ChannelAffine{1.6, 0}, ChannelAffine{1.5, -0.15}})
+    {
+        std::vector<ColorGrid> colors(1, ColorGrid(LATTICE));
+        for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
+            colors[0].quad(cell)[0] = map;
+        limitExtremes(tone, colors[0]);
+        Mat luma;
+        extractChannel(two.shown(0, colors), luma, 0);
+        EXPECT_LE(countNonZero(luma < 23.5), 0.005 * SIZE.area()) << map.gain;
+        EXPECT_LE(countNonZero(luma > 250.5), 0.005 * SIZE.area()) << map.gain;
+    }
 }
 
 TEST(Gcpw_ColorBalance, clipped_pixels_do_not_decide_on_the_light)

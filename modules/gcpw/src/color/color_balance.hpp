@@ -21,12 +21,12 @@ n samples, means m and standard deviations d,
     E = lambda_1 sum n a ( (G_s m_s + B_s - G_t m_t - B_t)^2 + d_s d_t log(G_s d_s / (G_t d_t))^2 )
         + smoothness (eq. colorterm)
         + Params::balanceWeight n_0 sum |(G, B) - exposure|^2
-        + 30 lambda_1 sum of squares of what pixels exceed their limits by
 
-with n_0 the samples of a whole quad, exposure of the image from estimateExposures(), and limits from PhotographTone::addLimits().
+with n_0 the samples of a whole quad, and exposure of the image from estimateExposures().
 a is re-weighted: agreementOf() the means of the two quads, less for Cr and Cb; quads without an overlap hold to the exposure with a
 fifth of the weight. Clipped pixels count by their means alone. A gray photograph is compared in Y only.
 
+Then limitTones(): as a term of the sum, limits would only hold as far as the comparisons let them.
 Without a reference no image is privileged: images that overlap, directly or by others, together keep the mean Y, Cr and Cb of
 their photographs.
 @param images finest level of each, whole photographs  @param overlaps whose samples are compared
