@@ -62,6 +62,7 @@ Alignment pairResult(const Mat& source, const Mat& target, Point corner, const P
     problem.images[0].rough = MeshGrid(Lattice(source.size(), params.meshCols, params.meshRows), corner);
     problem.images[1].rough = MeshGrid(Lattice(target.size(), params.meshCols, params.meshRows));
     problem.images[1].fixed = true;
+    problem.color_reference = 1;
     ProblemPair pair;
     pair.a = 0;
     pair.b = 1;

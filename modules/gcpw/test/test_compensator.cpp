@@ -64,6 +64,35 @@ TEST(Gcpw_Compensator, alone_it_beats_the_block_compensators)
     EXPECT_LT(difference, 5);
 }
 
+TEST(Gcpw_Compensator, a_square_in_one_of_two_equal_photographs_changes_neither)
+{
+    const Mat photograph = photographOf(cameraAt(0), 0, 0);
+    for (const Scalar& color : {Scalar(0, 0, 255), Scalar::all(0), Scalar::all(255)})
+    {
+        Mat painted = photograph.clone();
+        painted(Rect(20, 20, 30, 30)).setTo(color);
+        const Mat pictures[] = {photograph, painted};
+        std::vector<UMat> images;
+        for (const Mat& picture : pictures)
+            images.push_back(picture.getUMat(ACCESS_READ).clone());
+        const std::vector<UMat> masks(2, UMat(photograph.size(), CV_8UC1, Scalar(255)));
+        const std::vector<Point> corners(2);
+        gcpw::GcpwCompensator compensator;
+        compensator.feed(corners, images, masks);
+        for (int i = 0; i < 2; ++i)
+        {
+            Mat corrected = pictures[i].clone();
+            compensator.apply(i, corners[i], corrected, masks[i]);
+            EXPECT_GT(cv::PSNR(corrected, pictures[i]), 45) << color;
+            const Rect far(150, 0, photograph.cols - 150, photograph.rows);
+            Mat change;
+            cv::absdiff(corrected(far), pictures[i](far), change);
+            const Scalar means = cv::mean(change);
+            EXPECT_LT(std::max(std::max(means[0], means[1]), means[2]), 1) << color;
+        }
+    }
+}
+
 TEST(Gcpw_Compensator, correction_is_that_of_the_colour_grid)
 {
     gcpw::GcpwCompensator compensator;

@@ -29,7 +29,7 @@ std::vector<Mat> estimateColors(const std::vector<Point>& corners, const std::ve
     for (const Overlap& overlap : findOverlaps(corners, masks))
         overlaps.emplace_back(overlap.a, overlap.b, levels[overlap.a], levels[overlap.b], states[overlap.a].mesh.lattice(), params.sampleStep);
     std::vector<Mat> colors;
-    for (const ColorGrid& grid : balancedColors(overlaps, states, params))
+    for (const ColorGrid& grid : balancedColors(levels, overlaps, states, params.referenceImage, params))
         colors.push_back(grid.toMat());
     return colors;
 }

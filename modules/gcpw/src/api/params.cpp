@@ -110,7 +110,7 @@ Params::Params()
     revertRatio = 1.05;
     restWeight = 0.01;
     exposureWeight = 8;
-    balanceWeight = 1.5;
+    balanceWeight = 0.4;
     minQuadArea = 0.1;
     contrastThreshold = 0.005;
     matchRatio = 0.85;

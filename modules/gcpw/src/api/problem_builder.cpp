@@ -136,6 +136,7 @@ void ProblemBuilder::startFrom(const RoughStart& start)
     start_ = start;
     problem_.images = roughImages(images_, start_, params_);
     problem_.pairs = start_.pairs;
+    problem_.color_reference = start_.color_reference;
     if (problem_.pairs.empty())
     {
         report_.status = Status::ROUGH;

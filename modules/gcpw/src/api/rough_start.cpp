@@ -54,7 +54,7 @@ RoughStart startOfPair(const Matx33d& target_from_source)
     start.pairs.resize(1);
     start.pairs[0].a = 0;
     start.pairs[0].b = 1;
-    start.fixed = 1;
+    start.fixed = start.color_reference = 1;
     return start;
 }
 
@@ -78,6 +78,7 @@ RoughStart startOnCanvas(const std::vector<WorkImage>& images, const std::vector
     if (params.referenceImage != NO_REFERENCE)
         start.fixed =
             params.referenceImage >= 0 ? params.referenceImage : mostCentral(static_cast<int>(images.size()), overlaps);
+    start.color_reference = std::max(params.referenceImage, -1);
     for (const Overlap& overlap : overlaps)
         start.pairs.push_back(toPair(overlap, period, start.fixed));
     return start;

@@ -22,6 +22,7 @@ struct RoughStart
     std::vector<Matx33d> canvas_from_image; ///< homography of each image
     std::vector<ProblemPair> pairs;         ///< without matches
     int fixed = -1;                         ///< the image that keeps its place; -1: none
+    int color_reference = -1;               ///< the image that keeps its colours; -1: none
     Point2d origin;                         ///< of this canvas on the caller's
 };
 

@@ -13,21 +13,27 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief Colours of many images that make overlapping quads agree in mean and contrast while the meshes stand still.
+/** @brief The colours to be shown: overlapping quads agree in mean and contrast, and photographs keep their light; meshes stand still.
 
-Least squares of pixels takes contrast from whatever differs; in a pair the fixed target prevents that, but many images that
-show different people all fade together. Means and contrasts do not: over all quads s and t that overlap, with n samples,
-means m and standard deviations d,
+Least squares of pixels takes contrast from whatever differs. Means and contrasts do not: over all quads s and t that overlap, with
+n samples, means m and standard deviations d,
 
-    E = lambda_1 sum n correlation_weight ( (G_s m_s + B_s - G_t m_t - B_t)^2 + d_s d_t log(G_s d_s / (G_t d_t))^2 )
+    E = lambda_1 sum n a ( (G_s m_s + B_s - G_t m_t - B_t)^2 + d_s d_t log(G_s d_s / (G_t d_t))^2 )
         + smoothness (eq. colorterm)
         + Params::balanceWeight n_0 sum |(G, B) - exposure|^2
 
-with n_0 the samples of a whole quad (correlationWeight(), estimateExposures()). No image is privileged, mean log gain is 0 and mean
-bias 0, unless Params::referenceImage names one: that keeps its colours.
-@param overlaps whose samples are compared  @param state whose colours are ignored
+with n_0 the samples of a whole quad, and exposure of the image from estimateExposures().
+a is re-weighted: agreementOf() the means of the two quads, less for Cr and Cb; quads without an overlap hold to the exposure with a
+fifth of the weight. Clipped pixels count by their means alone. A gray photograph is compared in Y only.
+
+Then limitTones(): as a term of the sum, limits would only hold as far as the comparisons let them.
+Without a reference no image is privileged: images that overlap, directly or by others, together keep the mean Y, Cr and Cb of
+their photographs.
+@param images finest level of each, whole photographs  @param overlaps whose samples are compared
+@param state whose colours are ignored  @param reference the image that keeps its colours; negative: none
 @return one grid an image; the identity without overlaps, the exposures, or the last pass that had one, where the system has no answer */
-std::vector<ColorGrid> balancedColors(const std::vector<OverlapSamples>& overlaps, const State& state, const Params& params);
+std::vector<ColorGrid> balancedColors(const std::vector<PyramidLevel>& images, const std::vector<OverlapSamples>& overlaps,
+                                      const State& state, int reference, const Params& params);
 
 } // namespace gcpw
 } // namespace cv

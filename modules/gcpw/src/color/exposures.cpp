@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <opencv2/core/utils/logger.hpp>
+#include "color/color_agreement.hpp"
 
 namespace cv
 {
@@ -14,8 +15,12 @@ namespace gcpw
 namespace
 {
 
-const double GAUGE = 1e-3;          ///< share of an overlap: chooses among exposures that fit equally well
-const double NOISE_VARIANCE = 1e-4; ///< of an intensity: the ratio of less contrast than this is noise
+const double GAUGE = 1e-3; ///< share of an overlap: chooses among exposures that fit equally well
+const double NOISE_VARIANCE = 1e-4; ///< of an intensity: the ratio of less contrast is noise
+/// Of Cr and Cb: with less contrast they scale as Y does, as with a longer exposure. A gain of their own tints what is strongly coloured.
+const double COLORFUL_VARIANCE = 5e-3;
+const double DEVIATIONS = 2.5; ///< robust standard deviations beyond which a quad does not show the exposures
+const int ROUNDS = 10;         ///< of re-weighting
 
 /// Normal equations of differences x_a - x_b = d between images; x is exactly 0 where an image is fixed.
 class Differences
@@ -73,15 +78,33 @@ private:
     double total_ = 1e-9;
 };
 
-} // namespace
-
-std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
-                                               const std::vector<bool>& fixed)
+/// Logarithm of the gain that gives the source the contrast of the target in a channel.
+double logRatio(const ColorMoments& m, int channel, bool by_luma)
 {
-    std::vector<ColorMoments> moments(comparisons.size());
+    if (channel == 0 || !by_luma)
+        return 0.5 * std::log((m.targetVariance(channel) + NOISE_VARIANCE) / (m.sourceVariance(channel) + NOISE_VARIANCE));
+    const double luma = (m.targetVariance(0) + NOISE_VARIANCE) / (m.sourceVariance(0) + NOISE_VARIANCE);
+    // Symmetric: the two images may change places.
+    const double even = std::sqrt(luma);
+    return 0.5 * std::log((m.targetVariance(channel) + COLORFUL_VARIANCE * even) / (m.sourceVariance(channel) + COLORFUL_VARIANCE / even));
+}
+
+/// One sum of each comparison.
+typedef std::vector<ColorMoments> MomentsOfPairs;
+
+MomentsOfPairs weighted(const std::vector<ColorComparison>& comparisons, const QuadWeights& weights)
+{
+    MomentsOfPairs moments(comparisons.size());
     for (size_t k = 0; k < comparisons.size(); ++k)
-        for (const QuadColors& quads : comparisons[k].quads)
-            moments[k].add(quads.moments, correlationWeight(quads.moments));
+        for (size_t q = 0; q < comparisons[k].quads.size(); ++q)
+            moments[k].add(comparisons[k].quads[q].moments, weights[k][q].moments);
+    return moments;
+}
+
+/// The exposures that fit these sums.
+std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons, const MomentsOfPairs& moments,
+                                 const std::vector<bool>& gray, const std::vector<bool>& fixed, bool by_luma)
+{
     std::vector<ColorGrid::Quad> exposures(fixed.size());
     for (int c = 0; c < CHANNELS; ++c)
     {
@@ -89,10 +112,8 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
         for (size_t k = 0; k < comparisons.size(); ++k)
         {
             const ColorMoments& m = moments[k];
-            if (m.samples() > 0)
-                log_gains.add(comparisons[k].source_image, comparisons[k].target_image,
-                              0.5 * std::log((m.targetVariance(c) + NOISE_VARIANCE) / (m.sourceVariance(c) + NOISE_VARIANCE)),
-                              m.samples());
+            if (m.samples() > 0 && c < comparableChannels(comparisons[k], gray))
+                log_gains.add(comparisons[k].source_image, comparisons[k].target_image, logRatio(m, c, by_luma), m.samples());
         }
         std::vector<double> found;
         if (!log_gains.solve(found))
@@ -108,7 +129,7 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
             const int a = comparisons[k].source_image;
             const int b = comparisons[k].target_image;
             const ColorMoments& m = moments[k];
-            if (m.samples() > 0)
+            if (m.samples() > 0 && c < comparableChannels(comparisons[k], gray))
                 biases.add(a, b, exposures[b][c].gain * m.targetMean(c) - exposures[a][c].gain * m.sourceMean(c), m.samples());
         }
         if (!biases.solve(found))
@@ -117,6 +138,35 @@ std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison
             exposures[i][c].bias = found[i];
     }
     return exposures;
+}
+
+} // namespace
+
+std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed)
+{
+    const std::vector<bool> gray = grayImages(comparisons, fixed.size());
+    const QuadWeights likeness = likenessOf(comparisons);
+    std::vector<ColorGrid::Quad> exposures = fit(comparisons, weighted(comparisons, likeness), gray, fixed, true);
+    for (int round = 0; round < ROUNDS; ++round)
+    {
+        const ColorOf colors = [&](int image, int) -> const ColorGrid::Quad& { return exposures[image]; };
+        const QuadWeights agreement = agreementOf(comparisons, likeness, gray, colors, DEVIATIONS);
+        exposures = fit(comparisons, weighted(comparisons, agreement), gray, fixed, true);
+    }
+    return exposures;
+}
+
+std::vector<ColorGrid::Quad> exposuresOfAllPixels(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed)
+{
+    MomentsOfPairs moments(comparisons.size());
+    for (size_t k = 0; k < comparisons.size(); ++k)
+        for (const QuadColors& quads : comparisons[k].quads)
+        {
+            ColorMoments all = quads.moments;
+            all.add(quads.clipped, 1);
+            moments[k].add(all, correlationWeight(all));
+        }
+    return fit(comparisons, moments, std::vector<bool>(fixed.size(), false), fixed, false);
 }
 
 } // namespace gcpw

@@ -17,8 +17,12 @@ namespace gcpw
 Moments of whole overlaps hardly depend on how well they line up, so these are known before any pixel is aligned; quads
 are weighted by how well they correlate (correlationWeight()). Of all that fit equally well the one of mean log gain 0 and mean
 bias 0 is chosen; images that are fixed keep (1, 0) exactly, and so does a channel whose equations are singular. */
-std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
-                                               const std::vector<bool>& fixed);
+std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed);
+
+/** @brief The exposures that make all pixels agree, clipped ones too, where meshes are to be found by them.
+
+Not re-weighted: while meshes move, what two images differ by is not yet what differs in the scene. */
+std::vector<ColorGrid::Quad> exposuresOfAllPixels(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed);
 
 } // namespace gcpw
 } // namespace cv

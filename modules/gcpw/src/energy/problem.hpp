@@ -39,6 +39,7 @@ struct Problem
 {
     std::vector<ProblemImage> images;
     std::vector<ProblemPair> pairs;
+    int color_reference = -1; ///< image whose colours are shown as they are; -1: none, those of all are balanced
 
     /// Three images or more: errors may add up from image to image, so shape and contrast need priors.
     bool hasManyImages() const { return images.size() > 2; }

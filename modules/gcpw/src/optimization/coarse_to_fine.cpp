@@ -9,6 +9,7 @@
 #include "color/color_balance.hpp"
 #include "color/color_priors.hpp"
 #include "color/exposures.hpp"
+#include "color/tone_limits.hpp"
 #include "overlap/correlation.hpp"
 
 namespace cv
@@ -80,7 +81,7 @@ void CoarseToFine::setColorPriors(const State& state)
         fixed.push_back(image.fixed);
     }
     if (exposures_.empty())
-        exposures_ = problem_.hasManyImages() || params_.exposureWeight > 0 ? estimateExposures(comparisons, fixed) : identity;
+        exposures_ = problem_.hasManyImages() || params_.exposureWeight > 0 ? exposuresOfAllPixels(comparisons, fixed) : identity;
     const ImagePriors compared{std::vector<double>(count, params_.exposureWeight), exposures_};
     const ImagePriors alone{std::vector<double>(count, params_.colorRestWeight), problem_.hasManyImages() ? exposures_ : identity};
     stage_.color_priors = colorPriors(comparisons, lattices, compared, alone);
@@ -198,6 +199,26 @@ OptimizeStatus CoarseToFine::refine(State& state, std::vector<LevelReport>& repo
     return choice_.rough_is_aligned ? OptimizeStatus::RoughAligned : OptimizeStatus::RoughKept;
 }
 
+/// The colours that are found with the meshes, or new ones, without what they would crush and blow.
+void CoarseToFine::showColors(State& state) const
+{
+    if (!problem_.hasManyImages() && problem_.color_reference >= 0)
+    {
+        for (size_t i = 0; i < state.size(); ++i)
+            if (!problem_.images[i].fixed)
+                limitExtremes(PhotographTone(problem_.images[i].pyramid.front(), state[i].color.lattice()), state[i].color);
+        return;
+    }
+    if (params_.balanceWeight == 0)
+        return;
+    std::vector<PyramidLevel> images;
+    for (const ProblemImage& image : problem_.images)
+        images.push_back(image.pyramid.front());
+    const std::vector<ColorGrid> colors = balancedColors(images, stage_.overlaps, state, problem_.color_reference, params_);
+    for (size_t i = 0; i < state.size(); ++i)
+        state[i].color = colors[i];
+}
+
 OptimizeStatus CoarseToFine::run(State& state, std::vector<LevelReport>& report, const StepCallback& progress)
 {
     report.clear();
@@ -211,12 +232,8 @@ OptimizeStatus CoarseToFine::run(State& state, std::vector<LevelReport>& report,
         return OptimizeStatus::Done;
     const OptimizeStatus status = refine(state, report);
     const bool shown = status != OptimizeStatus::Cancelled && status != OptimizeStatus::MatchesSingular;
-    if (shown && colors_ && problem_.hasManyImages() && params_.balanceWeight > 0)
-    {
-        const std::vector<ColorGrid> colors = balancedColors(stage_.overlaps, state, params_);
-        for (size_t i = 0; i < state.size(); ++i)
-            state[i].color = colors[i];
-    }
+    if (shown && colors_)
+        showColors(state);
     return status;
 }
 

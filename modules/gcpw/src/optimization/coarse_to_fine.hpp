@@ -36,7 +36,7 @@ enum class OptimizeStatus
 2. The pyramid, coarse to fine: colours first (eq. initialfunction), then Gauss-Newton steps on meshes and colours.
 3. Regions that the pixels made worse than the matches had them are anchored there, and the finest level runs again.
 4. Of end, matches' meshes and start the best by correlation is kept (bestCandidate()), with colours estimated for it.
-5. For more than two images, the colours to be shown (balancedColors()). */
+5. The colours to be shown: balancedColors(), or limitExtremes() where one of two images keeps its own. */
 class CoarseToFine
 {
 public:
@@ -56,6 +56,7 @@ private:
     OptimizeStatus refine(State& state, std::vector<LevelReport>& report);
     void enterLevel(int level);
     void setColorPriors(const State& state);
+    void showColors(State& state) const;
     SolveStatus initColors(State& state, int passes);
     bool anchorWorse(const State& state, const State& start);
 

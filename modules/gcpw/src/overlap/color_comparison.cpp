@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <opencv2/core/utility.hpp>
+#include "overlap/tone.hpp"
 
 namespace cv
 {
@@ -20,12 +21,13 @@ ColorComparison compareColors(const OverlapSamples& samples, const State& state)
         const size_t first = result.quads.size();
         samples.visit(state, cell, target, [&](const OverlapSamples::Sample& sample, const PixelSample& pixel)
         {
+            const bool clipped = isClipped(sample.value) || isClipped(pixel.value);
             const int other = target.point().cell;
             auto found = std::find_if(result.quads.begin() + first, result.quads.end(),
                                       [other](const QuadColors& item) { return item.target_cell == other; });
             if (found == result.quads.end())
-                found = result.quads.insert(found, {cell, other, ColorMoments()});
-            found->moments.add(sample.value, pixel.value);
+                found = result.quads.insert(found, {cell, other, ColorMoments(), ColorMoments()});
+            (clipped ? found->clipped : found->moments).add(sample.value, pixel.value);
         });
     }
     return result;

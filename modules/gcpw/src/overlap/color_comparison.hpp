@@ -18,7 +18,8 @@ struct QuadColors
 {
     int source_cell = -1;
     int target_cell = -1;
-    ColorMoments moments;
+    ColorMoments moments; ///< of pixels that are clipped (isClipped()) in neither image; may be none
+    ColorMoments clipped; ///< of pixels that are clipped in either; may be none
 };
 
 /// The colours of an overlap, in the order of the source's quads.

@@ -38,5 +38,19 @@ double correlationWeight(const ColorMoments& moments)
     return correlationWeight(source, target, moments.covariance(0) / std::sqrt(source * target));
 }
 
+double likeness(const ColorMoments& moments)
+{
+    if (!(moments.samples() > 0))
+        return MIN_CORRELATION_WEIGHT;
+    const double source = moments.sourceVariance(0);
+    const double target = moments.targetVariance(0);
+    const double larger = std::max(source, target);
+    const double texture = larger / (larger + TEXTURE_VARIANCE); // 0: both are flat
+    const double noise = 0.25 * TEXTURE_VARIANCE;                // of a flat patch: its correlation tends to 0
+    const double correlation = moments.covariance(0) / std::sqrt((source + noise) * (target + noise));
+    const double positive = std::max(correlation, 0.0);
+    return std::max(1 - texture + texture * positive * positive, MIN_CORRELATION_WEIGHT);
+}
+
 } // namespace gcpw
 } // namespace cv

@@ -80,6 +80,12 @@ double plausibleGain(double gain);
 double correlationWeight(double source_variance, double target_variance, double correlation);
 double correlationWeight(const ColorMoments& moments);
 
+/** @brief How much two patches count for the colours of whole images: correlationWeight(), but little where only one has texture.
+
+A patch that is flat in one image and textured in the other shows two things. Continuous in the variances.
+@return in (0, 1]; 1 where both are flat */
+double likeness(const ColorMoments& moments);
+
 } // namespace gcpw
 } // namespace cv
 

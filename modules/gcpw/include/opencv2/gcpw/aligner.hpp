@@ -41,8 +41,8 @@ struct CV_EXPORTS KnownLines
 /** @brief Refines roughly aligned images on a canvas: meshes and colours of all of them in one problem.
 
 Every pair that overlaps adds its terms, so loops close and the order of the images does not matter. The reference image
-(Params::referenceImage) keeps its place. Of two images it keeps its colours too; of more only if it is named, else colours are
-changed by mean gain 1 and mean bias 0 (Params::balanceWeight). Thread-safe: align() changes nothing in the object.
+(Params::referenceImage) keeps its place. It keeps its colours too if it is named; else the
+panorama keeps the mean light and hue of its photographs (Params::balanceWeight). Thread-safe: align() changes nothing in the object.
 
 @code
 // corners, images, masks: as warped by any cv::detail::RotationWarper

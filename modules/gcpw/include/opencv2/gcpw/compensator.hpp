@@ -22,7 +22,8 @@ struct SharedState;
 /** @brief Makes colours agree by a local affine map of each image: a gain and a bias of Y, Cr and Cb for every quad.
 
 On its own, feed() estimates them from the means and contrasts of overlapping quads, without moving the images
-(Params::balanceWeight); all images change alike unless Params::referenceImage names one that keeps its colours. With a rig (see
+(Params::balanceWeight); the mean light and hue of all images
+stay unless Params::referenceImage names one that keeps its colours. With a rig (see
 GcpwWarper::compensator) the colours of the alignment are used and feed() does nothing, also if it was called before there was
 a rig. Gains given to setMatGains() take precedence over a rig's.
 

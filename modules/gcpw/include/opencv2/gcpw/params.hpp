@@ -99,7 +99,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double workMegapix;
     /// Several images: index of the one that keeps its place and its colours. -1: the most central one keeps its place, colours
     /// are balanced over all; -2: no image keeps its place. At most 100000, and less than the number of images. For two images
-    /// given to Aligner -1 takes one of both, which keeps its colours too. alignPair() ignores it: there the target keeps its
+    /// given to Aligner -1 takes one of both, which keeps its place; their colours are balanced. alignPair() ignores it: there the target keeps its
     /// place. With attach() it counts the images given to the stitcher. default -1
     CV_PROP_RW int referenceImage;
     //! @}
@@ -206,10 +206,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// make whole overlaps agree, >= 0. Larger values give more uniform colours and keep the contrast of faint texture, smaller
     /// ones follow local light. Per quad, not per sample, unlike balanceWeight. Typical: 1..20. default 8
     CV_PROP_RW double exposureWeight;
-    /// Several images, and GcpwCompensator without a rig; ignored by the alignment of two. The same deviation when the colours
+    /// Images on a canvas, and GcpwCompensator without a rig; ignored by alignPair() and, of two images, where referenceImage names
+    /// one. The same deviation when the colours
     /// to be shown are found, from the means and contrasts of overlapping quads with the meshes fixed; weighted by the number of
     /// samples that a full quad has, >= 0. Larger values give more uniform colours. 0: an alignment shows the colours that it
-    /// found together with the meshes. Typical: 0.5..5. default 1.5
+    /// found together with the meshes. Typical: 0.2..2. default 0.4
     CV_PROP_RW double balanceWeight;
     /// Smallest allowed area of each corner triangle of a quad, relative to its area in the rough alignment, in (0, 0.9]. What
     /// keeps the mesh from folding: larger values make the mesh stiffer where it is compressed. Typical: 0.05..0.3. default 0.1
