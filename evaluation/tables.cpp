@@ -72,12 +72,12 @@ public:
     }
 
     /// Pairs that every method has a median of at this degree.
-    std::vector<std::string> completePairs(int degree) const
+    std::vector<std::string> completePairs(int degree, Measure measure = &RunResult::zncc) const
     {
         std::vector<std::string> complete;
         for (const std::string& pair : pairs_)
             if (std::all_of(methods_.begin(), methods_.end(), [&](const PairMethod* method)
-                            { return std::isfinite(median(scores(pair, *method, degree, &RunResult::zncc))); }))
+                            { return std::isfinite(median(scores(pair, *method, degree, measure))); }))
                 complete.push_back(pair);
         return complete;
     }
@@ -258,6 +258,49 @@ std::string costTable(const Runs& runs)
     return table + "\n";
 }
 
+std::vector<std::string> appearanceHeadings()
+{
+    std::vector<std::string> headings;
+    for (const AppearanceColumn& column : appearanceColumns())
+        headings.emplace_back(column.heading);
+    return headings;
+}
+
+/// What a person sees, of every method in the mean and of one on each pair; nothing if it was never measured.
+std::string appearanceTables(const Runs& runs)
+{
+    bool measured = false;
+    std::string methods = headOf("mean over pairs", appearanceHeadings());
+    for (const PairMethod* method : runs.methods())
+    {
+        methods += "| " + std::string(method->label) + " |";
+        for (const AppearanceColumn& column : appearanceColumns())
+        {
+            const std::vector<std::string> pairs = runs.completePairs(0, column.value);
+            measured = measured || !pairs.empty();
+            methods += " " + (pairs.empty() ? "-" : cv::format(column.form, runs.mean(pairs, *method, 0, column.value, false).value)) + " |";
+        }
+        methods += "\n";
+    }
+    if (!measured)
+        return std::string();
+    const PairMethod& last = *runs.methods().back();
+    std::string pairs = headOf(std::string("pair, ") + last.label, appearanceHeadings());
+    for (const std::string& pair : runs.pairs())
+    {
+        pairs += "| " + pair + " |";
+        for (const AppearanceColumn& column : appearanceColumns())
+        {
+            const double value = runs.cell(pair, last, 0, column.value).value;
+            pairs += " " + (std::isfinite(value) ? cv::format(column.form, value) : std::string("-")) + " |";
+        }
+        pairs += "\n";
+    }
+    return "## Photographs as they are: appearance\n\nBend and shape against the homography, seams by one graph cut for all; see\n"
+           "doc/evaluation.md. Lower is better, 0 cannot be seen.\n\n" +
+           methods + "\n## Photographs as they are: appearance on each pair\n\n" + pairs + "\n";
+}
+
 /// What the numbers are, and when one counts as less than another.
 std::string legend(int inputs)
 {
@@ -291,6 +334,7 @@ std::string markdownPage(const RunTable& rows, const std::vector<const PairMetho
     page += "## Photographs as they are: zncc\n\n" + pairTable(runs, &RunResult::zncc, "%.1f") + placeOfGcpw(runs);
     page += spreadTable(runs);
     page += "## Photographs as they are: ncc\n\n" + pairTable(runs, &RunResult::ncc, "%.2f");
+    page += appearanceTables(runs);
     if (runs.degrees().size() > 1)
         page += "## Synthetic colour variation: mean zncc by degree\n\n" + degreeTable(runs);
     page += "## Folds and time, all degrees\n\nProcessor time of everything after the matching, one thread a run.\n\n" + costTable(runs);
