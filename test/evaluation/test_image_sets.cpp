@@ -160,4 +160,13 @@ TEST(Evaluation_ChildProcess, exit_code_time_and_memory_are_known)
     EXPECT_THROW(evaluation::runChild("/no/such/program", {}), cv::Exception);
 }
 
+TEST(Evaluation_ChildProcess, the_memory_of_a_child_is_not_that_of_its_parent)
+{
+    const double own = evaluation::runChild("/bin/true", {}).peak_mb;
+    {
+        const cv::Mat large(300, 1 << 20, CV_8UC1, cv::Scalar(1)); // 300 MiB, used and given back
+    }
+    EXPECT_LT(evaluation::runChild("/bin/true", {}).peak_mb, own + 100);
+}
+
 } // namespace
