@@ -66,7 +66,7 @@ bool measure(const AlignedImage& image, const cv::Vec4f& segment, const RestMap&
     const cv::Point2d along = cv::Point2d(segment[2], segment[3]) - from;
     bend.length = cv::norm(along);
     const int steps = std::max(MIN_STEPS, static_cast<int>(bend.length / STEP));
-    std::vector<cv::Point2d> rough;
+    std::vector<cv::Point2d>& rough = bend.rough_path;
     for (int k = 0; k <= steps; ++k)
     {
         const cv::Point2d pixel = from + along * (static_cast<double>(k) / steps);
@@ -190,14 +190,15 @@ bool moves(const AlignedImage& image)
     return cv::norm(image.mesh, image.rough, cv::NORM_INF) > 0;
 }
 
-std::vector<std::vector<SegmentBend>> bendsOf(const Rig& rig, const std::function<cv::Mat(int index)>& photographs)
+std::vector<std::vector<SegmentBend>> bendsOf(const Rig& rig, const std::function<cv::Mat(int index)>& photographs,
+                                              bool still_too)
 {
     std::vector<std::vector<SegmentBend>> bends(static_cast<size_t>(rig.alignment.imageCount()));
     cv::Ptr<cv::PyRotationWarper> base;
     for (int k = 0; k < rig.alignment.imageCount(); ++k)
     {
         const AlignedImage& image = rig.alignment.image(k);
-        if (!moves(image))
+        if (!still_too && !moves(image))
             continue;
         if (!base)
             base = baseOf(rig);

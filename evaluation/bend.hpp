@@ -17,7 +17,8 @@ const double VISIBLE_BEND = 1.5;
 /// What a mesh does to one straight segment of a photograph, beyond what its rough alignment does.
 struct SegmentBend
 {
-    std::vector<cv::Point2d> path; ///< where the mesh takes the segment, canvas, working pixels
+    std::vector<cv::Point2d> path;       ///< where the mesh takes the segment, canvas, working pixels
+    std::vector<cv::Point2d> rough_path; ///< where its rough alignment does
     double length = 0;             ///< pixels of the picture in which it was found
     double mean_square = 0;        ///< working pixels squared
     double largest = 0;            ///< working pixels
@@ -56,9 +57,11 @@ bool moves(const cv::gcpw::AlignedImage& image);
 
 /** @brief How a rig bends the segments of its photographs.
 @param photographs those of the user, in the order of which rig.component counts; only those of images that move are asked for
-@return for each image of the rig, none of those that do not move
+@param still_too also looks for segments of images that do not move, to show them
+@return for each image of the rig; none of those that do not move, unless wanted
 @throws cv::Exception StsBadArg if none of OpenCV's warpers can have made the canvas of the rig */
-std::vector<std::vector<SegmentBend>> bendsOf(const cv::gcpw::Rig& rig, const std::function<cv::Mat(int index)>& photographs);
+std::vector<std::vector<SegmentBend>> bendsOf(const cv::gcpw::Rig& rig, const std::function<cv::Mat(int index)>& photographs,
+                                              bool still_too = false);
 
 } // namespace evaluation
 

@@ -134,27 +134,31 @@ cv::Mat grayOf(const cv::Mat& bgr)
 struct Fields
 {
     cv::Mat structure; ///< CV_64FC1, (1 - zncc) / 2; -1 where a window is flat
+    cv::Mat contrast;  ///< CV_64FC1, geometric mean of both windows' deviations, gray levels; 0 where one is flat
     cv::Mat gradient;  ///< CV_64FC1
     cv::Mat color;     ///< CV_64FC3
 };
 
-cv::Mat structureField(const cv::Mat& a, const cv::Mat& b)
+void compareStructure(const cv::Mat& a, const cv::Mat& b, Fields& fields)
 {
     const cv::Mat mean_a = windowMean(a);
     const cv::Mat mean_b = windowMean(b);
     const cv::Mat var_a = windowMean(a.mul(a)) - mean_a.mul(mean_a);
     const cv::Mat var_b = windowMean(b.mul(b)) - mean_b.mul(mean_b);
     const cv::Mat covariance = windowMean(a.mul(b)) - mean_a.mul(mean_b);
-    cv::Mat result(a.size(), CV_64FC1, cv::Scalar(-1));
+    fields.structure = cv::Mat(a.size(), CV_64FC1, cv::Scalar(-1));
+    fields.contrast = cv::Mat(a.size(), CV_64FC1, cv::Scalar(0));
     for (int y = 0; y < a.rows; ++y)
         for (int x = 0; x < a.cols; ++x)
         {
             const double va = var_a.at<double>(y, x);
             const double vb = var_b.at<double>(y, x);
-            if (va > FLAT * FLAT && vb > FLAT * FLAT)
-                result.at<double>(y, x) = 0.5 * (1 - std::min(std::max(covariance.at<double>(y, x) / std::sqrt(va * vb), -1.0), 1.0));
+            if (!(va > FLAT * FLAT && vb > FLAT * FLAT))
+                continue;
+            const double zncc = covariance.at<double>(y, x) / std::sqrt(va * vb);
+            fields.structure.at<double>(y, x) = 0.5 * (1 - std::min(std::max(zncc, -1.0), 1.0));
+            fields.contrast.at<double>(y, x) = std::sqrt(std::sqrt(va * vb));
         }
-    return result;
 }
 
 cv::Mat gradientField(const cv::Mat& a, const cv::Mat& b)
@@ -177,7 +181,7 @@ Fields fieldsOf(const cv::Mat& a, const cv::Mat& b)
     Fields fields;
     const cv::Mat gray_a = grayOf(a);
     const cv::Mat gray_b = grayOf(b);
-    fields.structure = structureField(gray_a, gray_b);
+    compareStructure(gray_a, gray_b, fields);
     fields.gradient = gradientField(gray_a, gray_b);
     cv::Mat colors_a, colors_b;
     a.convertTo(colors_a, CV_64F);
@@ -194,13 +198,13 @@ struct Cuts
     std::vector<double> color;
     double worst = 0;
     cv::Point worst_place;
+    double strongest = 0;
+    cv::Point strongest_place;
 };
 
-/// The worst stretch of one cut, walked along its longer side.
-void findWorst(std::vector<cv::Point> pixels, const cv::Mat& structure, cv::Point origin, Cuts& cuts)
+/// The stretch of one cut, walked along its longer side, with the largest mean of a field, if it is larger than `largest`.
+void findWorst(std::vector<cv::Point> pixels, const cv::Mat& field, cv::Point origin, double& largest, cv::Point& place)
 {
-    if (pixels.size() < MIN_CUT)
-        return;
     const cv::Rect extent = cv::boundingRect(pixels);
     std::stable_sort(pixels.begin(), pixels.end(), [&](cv::Point a, cv::Point b)
                      { return extent.height > extent.width ? a.y < b.y : a.x < b.x; });
@@ -208,12 +212,12 @@ void findWorst(std::vector<cv::Point> pixels, const cv::Mat& structure, cv::Poin
     double sum = 0;
     for (size_t k = 0; k < pixels.size(); ++k)
     {
-        sum += structure.at<double>(pixels[k]) - (k >= run ? structure.at<double>(pixels[k - run]) : 0);
+        sum += field.at<double>(pixels[k]) - (k >= run ? field.at<double>(pixels[k - run]) : 0);
         const double mean = sum / static_cast<double>(run);
-        if (k + 1 >= run && mean > cuts.worst)
+        if (k + 1 >= run && mean > largest)
         {
-            cuts.worst = mean;
-            cuts.worst_place = pixels[k - run / 2] + origin;
+            largest = mean;
+            place = pixels[k - run / 2] + origin;
         }
     }
 }
@@ -232,7 +236,11 @@ void look(const Shared& shared, const std::vector<cv::Point>& pixels, Cuts& cuts
         cuts.structure.push_back(fields.structure.at<double>(p));
         textured.push_back(p);
     }
-    findWorst(textured, fields.structure, shared.box.tl(), cuts);
+    if (textured.size() < MIN_CUT)
+        return;
+    const cv::Point origin = shared.box.tl();
+    findWorst(textured, fields.structure, origin, cuts.worst, cuts.worst_place);
+    findWorst(textured, fields.structure.mul(fields.contrast), origin, cuts.strongest, cuts.strongest_place);
 }
 
 } // namespace
@@ -264,6 +272,7 @@ SeamVisibility seamVisibility(const std::vector<WarpedImage>& images)
     result.gradient_p95 = seen ? percentile(cuts.gradient, 95) : none;
     result.color_p95 = seen ? percentile(cuts.color, 95) : none;
     result.worst_place = cuts.worst_place;
+    result.strongest_place = cuts.strongest_place;
     return result;
 }
 

@@ -18,6 +18,7 @@ struct SeamVisibility
     double gradient_p95 = 0;  ///< of |g1 - g2| / (|g1| + |g2| + 4), g the gradients of gray: steps across the cut
     double color_p95 = 0;     ///< of the difference of 15 x 15 means in the largest channel, gray levels: what a plain sky shows
     cv::Point worst_place;    ///< canvas pixels: the middle of the worst stretch
+    cv::Point strongest_place; ///< the same where contrast counts: what one sees first
 };
 
 /** @brief Cuts a picture by OpenCV's graph cut, the same for every method, and looks along the cuts.
