@@ -72,12 +72,12 @@ public:
     }
 
     /// Pairs that every method has a median of at this degree.
-    std::vector<std::string> completePairs(int degree, Measure measure = &RunResult::zncc) const
+    std::vector<std::string> completePairs(int degree) const
     {
         std::vector<std::string> complete;
         for (const std::string& pair : pairs_)
             if (std::all_of(methods_.begin(), methods_.end(), [&](const PairMethod* method)
-                            { return std::isfinite(median(scores(pair, *method, degree, measure))); }))
+                            { return std::isfinite(median(scores(pair, *method, degree, &RunResult::zncc))); }))
                 complete.push_back(pair);
         return complete;
     }
@@ -266,39 +266,73 @@ std::vector<std::string> appearanceHeadings()
     return headings;
 }
 
-/// What a person sees, of every method in the mean and of one on each pair; nothing if it was never measured.
-std::string appearanceTables(const Runs& runs)
+/// Median over the inputs that have the measure: a cut that keeps to the border of the overlap says nothing, not the worst.
+double appearanceOf(const Runs& runs, const std::string& pair, const PairMethod& method, Measure measure)
 {
-    bool measured = false;
-    std::string methods = headOf("mean over pairs", appearanceHeadings());
+    Scores present;
+    for (const double score : runs.scores(pair, method, 0, measure))
+        if (std::isfinite(score))
+            present.push_back(score);
+    return median(present);
+}
+
+/// Pairs on which every method has the measure.
+std::vector<std::string> comparedPairs(const Runs& runs, Measure measure)
+{
+    std::vector<std::string> pairs;
+    for (const std::string& pair : runs.pairs())
+        if (std::all_of(runs.methods().begin(), runs.methods().end(), [&](const PairMethod* method)
+                        { return std::isfinite(appearanceOf(runs, pair, *method, measure)); }))
+            pairs.push_back(pair);
+    return pairs;
+}
+
+std::string valueOrDash(double value, const char* form)
+{
+    return " " + (std::isfinite(value) ? cv::format(form, value) : std::string("-")) + " |";
+}
+
+/// Means of every method, and of how many pairs.
+std::string appearanceMeans(const Runs& runs)
+{
+    std::string table = headOf("mean over pairs", appearanceHeadings());
     for (const PairMethod* method : runs.methods())
     {
-        methods += "| " + std::string(method->label) + " |";
+        table += "| " + std::string(method->label) + " |";
         for (const AppearanceColumn& column : appearanceColumns())
         {
-            const std::vector<std::string> pairs = runs.completePairs(0, column.value);
-            measured = measured || !pairs.empty();
-            methods += " " + (pairs.empty() ? "-" : cv::format(column.form, runs.mean(pairs, *method, 0, column.value, false).value)) + " |";
+            const std::vector<std::string> pairs = comparedPairs(runs, column.value);
+            double sum = 0;
+            for (const std::string& pair : pairs)
+                sum += appearanceOf(runs, pair, *method, column.value);
+            table += valueOrDash(sum / static_cast<double>(pairs.size()), column.form);
         }
-        methods += "\n";
+        table += "\n";
     }
-    if (!measured)
+    table += "| pairs that all have |";
+    for (const AppearanceColumn& column : appearanceColumns())
+        table += cv::format(" %zu |", comparedPairs(runs, column.value).size());
+    return table + "\n";
+}
+
+/// What a person sees, of every method in the mean and of the last one on each pair; nothing if it was never measured.
+std::string appearanceTables(const Runs& runs)
+{
+    const std::vector<AppearanceColumn>& columns = appearanceColumns();
+    if (std::all_of(columns.begin(), columns.end(), [&](const AppearanceColumn& column) { return comparedPairs(runs, column.value).empty(); }))
         return std::string();
     const PairMethod& last = *runs.methods().back();
     std::string pairs = headOf(std::string("pair, ") + last.label, appearanceHeadings());
     for (const std::string& pair : runs.pairs())
     {
         pairs += "| " + pair + " |";
-        for (const AppearanceColumn& column : appearanceColumns())
-        {
-            const double value = runs.cell(pair, last, 0, column.value).value;
-            pairs += " " + (std::isfinite(value) ? cv::format(column.form, value) : std::string("-")) + " |";
-        }
+        for (const AppearanceColumn& column : columns)
+            pairs += valueOrDash(appearanceOf(runs, pair, last, column.value), column.form);
         pairs += "\n";
     }
     return "## Photographs as they are: appearance\n\nBend and shape against the homography, seams by one graph cut for all; see\n"
            "doc/evaluation.md. Lower is better, 0 cannot be seen.\n\n" +
-           methods + "\n## Photographs as they are: appearance on each pair\n\n" + pairs + "\n";
+           appearanceMeans(runs) + "\n## Photographs as they are: appearance on each pair\n\n" + pairs + "\n";
 }
 
 /// What the numbers are, and when one counts as less than another.
