@@ -102,9 +102,21 @@ Appearance appearanceOf(const ImageSet& set, const std::string& place, const std
     const cv::gcpw::Rig rig = cv::gcpw::Rig::load(model);
     const auto photograph = [&](int index) { return cv::imread(set.images.at(static_cast<size_t>(index))); };
     std::vector<SegmentBend> all;
-    for (const std::vector<SegmentBend>& bends : bendsOf(rig, photograph))
-        all.insert(all.end(), bends.begin(), bends.end());
+    bool known_warper = true;
+    try
+    {
+        for (const std::vector<SegmentBend>& bends : bendsOf(rig, photograph))
+            all.insert(all.end(), bends.begin(), bends.end());
+    }
+    catch (const cv::Exception& error)
+    {
+        if (error.code != cv::Error::StsBadArg)
+            throw;
+        known_warper = false; // segments cannot be followed: no bend rather than a wrong one, and the other sets go on
+    }
     addMeshes(rig.alignment, all, appearance);
+    if (!known_warper)
+        appearance.bend_p95 = appearance.bend_share = std::numeric_limits<double>::quiet_NaN();
     return appearance;
 }
 
