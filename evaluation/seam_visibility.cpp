@@ -224,10 +224,15 @@ void findWorst(std::vector<cv::Point> pixels, const cv::Mat& field, cv::Point or
 
 void look(const Shared& shared, const std::vector<cv::Point>& pixels, Cuts& cuts)
 {
-    const Fields fields = fieldsOf(shared.a, shared.b);
+    // Only what the windows along the cut reach: the overlap may be many megapixels.
+    const cv::Rect extent = cv::boundingRect(pixels);
+    const cv::Rect reach = cv::Rect(extent.x - WINDOW, extent.y - WINDOW, extent.width + 2 * WINDOW, extent.height + 2 * WINDOW) &
+                           cv::Rect(cv::Point(), shared.a.size());
+    const Fields fields = fieldsOf(shared.a(reach), shared.b(reach));
     std::vector<cv::Point> textured;
-    for (const cv::Point& p : pixels)
+    for (const cv::Point& pixel : pixels)
     {
+        const cv::Point p = pixel - reach.tl();
         cuts.gradient.push_back(fields.gradient.at<double>(p));
         const cv::Vec3d& color = fields.color.at<cv::Vec3d>(p);
         cuts.color.push_back(std::max(color[0], std::max(color[1], color[2])));
@@ -238,7 +243,7 @@ void look(const Shared& shared, const std::vector<cv::Point>& pixels, Cuts& cuts
     }
     if (textured.size() < MIN_CUT)
         return;
-    const cv::Point origin = shared.box.tl();
+    const cv::Point origin = shared.box.tl() + reach.tl();
     findWorst(textured, fields.structure, origin, cuts.worst, cuts.worst_place);
     findWorst(textured, fields.structure.mul(fields.contrast), origin, cuts.strongest, cuts.strongest_place);
 }
