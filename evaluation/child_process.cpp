@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <fcntl.h>
+#include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utility.hpp>
 #include <spawn.h>
@@ -15,6 +16,20 @@
 namespace evaluation
 {
 
+namespace
+{
+
+/** @brief Makes Linux forget how much memory this process once used.
+
+A child inherits it as its own peak, since it begins in its parent's memory. Where the file cannot be written the peak stays
+what it was. */
+void forgetPeak()
+{
+    std::ofstream("/proc/self/clear_refs") << 5; // 5: the peak, see proc(5)
+}
+
+} // namespace
+
 ChildResult runChild(const std::string& program, const std::vector<std::string>& arguments)
 {
     std::vector<char*> argv(1, const_cast<char*>(program.c_str())); // posix_spawn does not write to them
@@ -24,6 +39,7 @@ ChildResult runChild(const std::string& program, const std::vector<std::string>&
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    forgetPeak();
     cv::TickMeter clock;
     clock.start();
     pid_t child = 0;

@@ -60,7 +60,20 @@ struct Matched
     cv::Mat target;
     PairMatches matches;
     double match_ms = 0;
+    std::vector<cv::Vec4f> segments; ///< of the source, see longSegments(), found when the first run needs them
+    cv::Size segments_size;          ///< working pixels in which they were found
 };
+
+/// What a person sees of a run on the photographs as they are.
+void addAppearance(const Alignment& alignment, const cv::gcpw::PairCanvas& canvas, Matched& input, RunResult& result)
+{
+    const cv::gcpw::AlignedImage& source = alignment.image(0);
+    if (input.segments_size != source.work_size)
+        input.segments = longSegments(input.source, source.work_size);
+    input.segments_size = source.work_size;
+    addMeshes(alignment, moves(source) ? bendsOf(source, input.segments) : std::vector<SegmentBend>(), result);
+    addPictures(imagesOf(canvas), result);
+}
 
 std::string nameOf(const RunKey& key)
 {
@@ -163,7 +176,7 @@ private:
         return input;
     }
 
-    RunResult runTask(const Matched& input, const Task& task, const RunKey& key)
+    RunResult runTask(Matched& input, const Task& task, const RunKey& key)
     {
         RunResult result;
         const cv::Mat recolored = varyColors(input.source, task.degree);
@@ -180,9 +193,12 @@ private:
         }
         result.status = alignment.ok() ? "ok" : "rough";
         result.folds = alignment.report().folds;
-        const cv::gcpw::Score score = cv::gcpw::scorePair(cv::gcpw::renderPair(alignment, input.source, input.target));
+        const cv::gcpw::PairCanvas canvas = cv::gcpw::renderPair(alignment, input.source, input.target);
+        const cv::gcpw::Score score = cv::gcpw::scorePair(canvas);
         result.ncc = score.ncc;
         result.zncc = score.zncc;
+        if (task.degree == 0)
+            addAppearance(alignment, canvas, input, result);
         if (task.degree == 0 && key.input == INPUT_GIVEN)
             alignment.save(alignmentPath(experiment_.folder, key.pair, key.method));
         return result;

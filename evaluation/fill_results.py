@@ -2,12 +2,12 @@
 # This file is part of OpenCV project.
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
-"""Puts measured tables into the documents: evaluation/fill_results.py OUT [PAPER]
+"""Puts measured tables into the documents: evaluation/fill_results.py OUT [PAPER] [--sets=SETS]
 
 OUT is the folder of `scripts/evaluate PAIRS OUT`, PAPER that of `scripts/evaluate PAIRS PAPER --paper --methods=gcpw
---degrees=0`; without it the column of the paper's constants stays. Rewrites what stands between `<!-- NAME -->` and
-`<!-- /NAME -->` in doc/results.md (zncc, place, spread, degrees, cost) and README.md (means), and copies the plots to
-doc/images. A part that OUT does not have, such as degrees of a run with one degree, stays as it is. The text around the tables
+--degrees=0`; without it the column of the paper's constants stays. SETS is the folder of `gcpw_evaluate --sets` (default: OUT).
+Rewrites what stands between `<!-- NAME -->` and `<!-- /NAME -->` in doc/results.md (zncc, place, spread, appearance,
+appearance_pairs, appearance_sets, degrees, cost) and README.md (means), and copies the plots to doc/images. A part that OUT does not have, such as degrees of a run with one degree, stays as it is. The text around the tables
 is for people to check.
 """
 import pathlib
@@ -68,13 +68,16 @@ def pair_table(measured, before, paper):
 
 
 def main():
-    if not 2 <= len(sys.argv) <= 3:
+    folders = [argument for argument in sys.argv[1:] if not argument.startswith("--")]
+    options = [argument for argument in sys.argv[1:] if argument.startswith("--")]
+    if not 1 <= len(folders) <= 2 or len(options) > 1 or not all(option.startswith("--sets=") for option in options):
         sys.exit(__doc__)
-    out = pathlib.Path(sys.argv[1])
+    out = pathlib.Path(folders[0])
+    sets = pathlib.Path(options[0][len("--sets="):] if options else out) / "sets.md"
     parts = sections((out / "report.md").read_text(encoding="utf-8"))
     paper = ""
-    if len(sys.argv) == 3:
-        paper = sections((pathlib.Path(sys.argv[2]) / "report.md").read_text(encoding="utf-8"))["Photographs as they are: zncc"]
+    if len(folders) == 2:
+        paper = sections((pathlib.Path(folders[1]) / "report.md").read_text(encoding="utf-8"))["Photographs as they are: zncc"]
     path = ROOT / "doc" / "results.md"
     text = path.read_text(encoding="utf-8")
     scores = parts["Photographs as they are: zncc"]
@@ -84,6 +87,13 @@ def main():
     text = filled(text, "cost", table_in(parts["Folds and time, all degrees"]))
     if "Photographs as they are: spread of zncc" in parts:
         text = filled(text, "spread", table_in(parts["Photographs as they are: spread of zncc"]))
+    for name, heading in (("appearance", "Photographs as they are: appearance"),
+                          ("appearance_pairs", "Photographs as they are: appearance on each pair")):
+        if heading in parts:
+            text = filled(text, name, table_in(parts[heading]))
+    of_sets = sections(sets.read_text(encoding="utf-8")) if sets.is_file() else {}
+    if "Appearance" in of_sets:
+        text = filled(text, "appearance_sets", table_in(of_sets["Appearance"]))
     if "Synthetic colour variation: mean zncc by degree" in parts:
         lines = table_in(parts["Synthetic colour variation: mean zncc by degree"]).splitlines()
         text = filled(text, "degrees", "\n".join(line for line in lines if cells(line)[0] in SHOWN_DEGREES))

@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <opencv2/gcpw/pair.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include "evaluation/appearance.hpp"
 #include "evaluation/child_process.hpp"
 #include "evaluation/pair_folder.hpp"
+#include "evaluation/warped_image.hpp"
 
 namespace fs = std::filesystem;
 
@@ -23,72 +23,101 @@ namespace
 {
 
 const int MIN_OVERLAP = 2000; ///< px; less says little
-const Cells COLUMNS = {"set", "method", "exit_code", "images", "kept", "pairs", "ncc", "zncc", "color_difference", "seconds",
-                       "cpu_seconds", "peak_mb"};
+const Cells FIRST_COLUMNS = {"set", "method", "exit_code", "images", "kept", "pairs", "ncc", "zncc", "color_difference", "seconds",
+                             "cpu_seconds", "peak_mb"};
 const size_t KEY_COLUMNS = 2;
 
-/// One warped image on the canvas.
-struct Warped
+/// Later measures stand behind the first ones, as in results.csv.
+Cells allColumns()
 {
-    cv::Rect place;
-    cv::Mat image;
-    cv::Mat corrected;
-    cv::Mat mask; ///< 255 or 0
-};
-
-cv::Mat readPart(const std::string& path, int flags, cv::Size size)
-{
-    const cv::Mat image = cv::imread(path, flags);
-    if (image.empty() || (!size.empty() && image.size() != size))
-        CV_Error(cv::Error::StsUnmatchedSizes, path + " is missing or does not fit its image");
-    return image;
-}
-
-std::vector<Warped> readDump(const std::string& folder)
-{
-    std::ifstream corners(folder + "/corners.csv");
-    if (!corners)
-        CV_Error(cv::Error::StsObjectNotFound, "there is no " + folder + "/corners.csv");
-    std::vector<Warped> dump;
-    for (std::string line; std::getline(corners, line);)
-    {
-        char number[32];
-        Warped item;
-        if (std::sscanf(line.c_str(), "%31[^,],%d,%d", number, &item.place.x, &item.place.y) != 3)
-            CV_Error(cv::Error::StsParseError, folder + "/corners.csv: '" + line + "' is not k,x,y");
-        const std::string stem = folder + "/" + number;
-        item.image = readPart(stem + "_image.png", cv::IMREAD_COLOR, cv::Size());
-        item.corrected = readPart(stem + "_corrected.png", cv::IMREAD_COLOR, item.image.size());
-        item.mask = readPart(stem + "_mask.png", cv::IMREAD_GRAYSCALE, item.image.size()) > 127;
-        item.place = cv::Rect(item.place.tl(), item.image.size());
-        dump.push_back(item);
-    }
-    return dump;
+    Cells columns = FIRST_COLUMNS;
+    for (const AppearanceColumn& column : appearanceColumns())
+        columns.emplace_back(column.name);
+    return columns;
 }
 
 std::string numberOrDash(const std::string& cell, const char* form)
 {
-    const double value = std::atof(cell.c_str());
+    const double value = cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::atof(cell.c_str());
     return std::isfinite(value) ? cv::format(form, value) : std::string("-");
 }
 
-std::string markdownTable(const std::map<Cells, Cells>& rows)
+std::string scoresTable(const std::vector<Cells>& rows)
 {
-    std::string table = "# Evaluation of sets\n\n`none` is cv::Stitcher alone. Lower is better for all but the images kept.\n\n"
-                        "| set | method | images kept | zncc | ncc | colour difference | seconds | CPU seconds | peak MiB |\n"
+    std::string table = "| set | method | images kept | zncc | ncc | colour difference | seconds | CPU seconds | peak MiB |\n"
                         "|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
-    std::vector<Cells> ordered;
-    for (const auto& item : rows)
-        ordered.push_back(item.second);
-    std::sort(ordered.begin(), ordered.end(), [](const Cells& a, const Cells& b) // OpenCV alone comes first
-              { return a[0] != b[0] ? a[0] < b[0] : a[1] > b[1]; });
-    for (const Cells& row : ordered)
+    for (const Cells& row : rows)
     {
         table += "| " + row[0] + " | " + row[1] + " | " + row[4] + " of " + row[3] + " | " + numberOrDash(row[7], "%.1f") + " | " +
                  numberOrDash(row[6], "%.2f") + " | " + numberOrDash(row[8], "%.1f") + " | " + numberOrDash(row[9], "%.1f") + " | " +
                  numberOrDash(row[10], "%.1f") + " | " + numberOrDash(row[11], "%.0f") + " |\n";
     }
     return table;
+}
+
+std::string appearanceTable(const std::vector<Cells>& rows)
+{
+    std::string table = "| set | method |";
+    std::string rule = "|---|---|";
+    for (const AppearanceColumn& column : appearanceColumns())
+    {
+        table += " " + std::string(column.heading) + " |";
+        rule += "---:|";
+    }
+    table += "\n" + rule + "\n";
+    for (const Cells& row : rows)
+    {
+        table += "| " + row[0] + " | " + row[1] + " |";
+        size_t cell = FIRST_COLUMNS.size();
+        for (const AppearanceColumn& column : appearanceColumns())
+            table += " " + numberOrDash(row[cell++], column.form) + " |";
+        table += "\n";
+    }
+    return table;
+}
+
+std::string markdownPage(const std::map<Cells, Cells>& rows)
+{
+    std::vector<Cells> ordered;
+    for (const auto& item : rows)
+        ordered.push_back(item.second);
+    std::sort(ordered.begin(), ordered.end(), [](const Cells& a, const Cells& b) // OpenCV alone comes first
+              { return a[0] != b[0] ? a[0] < b[0] : a[1] > b[1]; });
+    return "# Evaluation of sets\n\n`none` is cv::Stitcher alone. Lower is better for all but the images kept.\n\n## Scores\n\n" +
+           scoresTable(ordered) +
+           "\n## Appearance\n\nSee doc/evaluation.md. Bend and shape are measured against the base warper, so that OpenCV alone has 0.\n\n" +
+           appearanceTable(ordered);
+}
+
+/// What a person sees of a panorama. OpenCV alone bends nothing: its warp is what bends are measured against.
+Appearance appearanceOf(const ImageSet& set, const std::string& place, const std::string& model)
+{
+    Appearance appearance;
+    addPictures(readDump(place), appearance);
+    if (model.empty())
+    {
+        appearance.bend_p95 = appearance.bend_share = appearance.shape = 0;
+        return appearance;
+    }
+    const cv::gcpw::Rig rig = cv::gcpw::Rig::load(model);
+    const auto photograph = [&](int index) { return cv::imread(set.images.at(static_cast<size_t>(index))); };
+    std::vector<SegmentBend> all;
+    bool known_warper = true;
+    try
+    {
+        for (const std::vector<SegmentBend>& bends : bendsOf(rig, photograph))
+            all.insert(all.end(), bends.begin(), bends.end());
+    }
+    catch (const cv::Exception& error)
+    {
+        if (error.code != cv::Error::StsBadArg)
+            throw;
+        known_warper = false; // segments cannot be followed: no bend rather than a wrong one, and the other sets go on
+    }
+    addMeshes(rig.alignment, all, appearance);
+    if (!known_warper)
+        appearance.bend_p95 = appearance.bend_share = std::numeric_limits<double>::quiet_NaN();
+    return appearance;
 }
 
 /// The row of one set by one method.
@@ -107,16 +136,23 @@ Cells stitchOne(const ImageSet& set, const std::string& method, const std::strin
     score.ncc = score.zncc = score.color_difference = std::numeric_limits<double>::quiet_NaN();
     if (timed.exit_code > 1)
         CV_Error(cv::Error::StsError, cv::format("%s ended with %d on the set %s", program.c_str(), timed.exit_code, set.name.c_str()));
+    Appearance appearance;
     if (timed.exit_code == 0)
     {
+        const std::string model = method == "none" ? std::string() : place + "/model.yml.gz";
         command.push_back("--dump=" + place);
+        if (!model.empty())
+            command.push_back("--save_model=" + model);
         runChild(program, command);
         score = scoreDump(place);
+        appearance = appearanceOf(set, place, model);
     }
-    return {set.name, method, std::to_string(timed.exit_code), std::to_string(set.images.size()), std::to_string(score.images),
-            std::to_string(score.pairs), cv::format("%.6f", score.ncc), cv::format("%.6f", score.zncc),
-            cv::format("%.6f", score.color_difference), cv::format("%.2f", timed.seconds),
-            cv::format("%.2f", timed.cpu_seconds), cv::format("%.1f", timed.peak_mb)};
+    Cells row = {set.name, method, std::to_string(timed.exit_code), std::to_string(set.images.size()), std::to_string(score.images),
+                 std::to_string(score.pairs), cv::format("%.6f", score.ncc), cv::format("%.6f", score.zncc),
+                 cv::format("%.6f", score.color_difference), cv::format("%.2f", timed.seconds),
+                 cv::format("%.2f", timed.cpu_seconds), cv::format("%.1f", timed.peak_mb)};
+    appendCells(appearance, row);
+    return row;
 }
 
 } // namespace
@@ -142,7 +178,7 @@ std::vector<ImageSet> findSets(const std::string& folder)
 
 SetScore scoreDump(const std::string& folder)
 {
-    const std::vector<Warped> dump = readDump(folder);
+    const std::vector<WarpedImage> dump = readDump(folder);
     SetScore score;
     score.images = static_cast<int>(dump.size());
     double weight = 0;
@@ -185,7 +221,7 @@ std::string stitchSets(const std::vector<ImageSet>& sets, const std::string& pro
     Cells options;
     for (const std::string& argument : arguments)
         options.push_back(argument.substr(argument.find_first_not_of('-')));
-    RowFile file(folder, "sets", COLUMNS, KEY_COLUMNS, options, fresh);
+    RowFile file(folder, "sets", allColumns(), KEY_COLUMNS, options, fresh);
     for (const ImageSet& set : sets)
         for (const std::string method : {"none", "gcpw"})
         {
@@ -196,7 +232,7 @@ std::string stitchSets(const std::vector<ImageSet>& sets, const std::string& pro
             file.append(stitchOne(set, method, program, arguments, folder));
         }
     file.sort();
-    return markdownTable(file.rows());
+    return markdownPage(file.rows());
 }
 
 } // namespace evaluation

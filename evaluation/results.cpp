@@ -12,8 +12,17 @@ namespace evaluation
 namespace
 {
 
-const Cells COLUMNS = {"pair", "method", "degree", "input", "status", "ncc", "zncc", "folds", "align_ms", "match_ms"};
+const Cells FIRST_COLUMNS = {"pair", "method", "degree", "input", "status", "ncc", "zncc", "folds", "align_ms", "match_ms"};
 const size_t KEY_COLUMNS = 4;
+
+/// Later measures stand behind the first ones, so that whoever reads these by their place goes on.
+Cells allColumns()
+{
+    Cells columns = FIRST_COLUMNS;
+    for (const AppearanceColumn& column : appearanceColumns())
+        columns.emplace_back(column.name);
+    return columns;
+}
 
 Cells keyCells(const RunKey& key)
 {
@@ -26,14 +35,14 @@ double numberOf(const Cells& row, size_t column)
     char* end = nullptr;
     const double value = std::strtod(row[column].c_str(), &end);
     if (row[column].empty() || *end != '\0')
-        CV_Error(cv::Error::StsParseError, "results.csv: '" + row[column] + "' is no " + COLUMNS[column] + "; remove its row, or --fresh");
+        CV_Error(cv::Error::StsParseError, "results.csv: '" + row[column] + "' is no " + FIRST_COLUMNS[column] + "; remove its row, or --fresh");
     return value;
 }
 
 } // namespace
 
 ResultsFile::ResultsFile(const std::string& folder, const Cells& options, bool fresh)
-    : file_(folder, "results", COLUMNS, KEY_COLUMNS, options, fresh)
+    : file_(folder, "results", allColumns(), KEY_COLUMNS, options, fresh)
 {
     rows(); // complains before any work
 }
@@ -49,6 +58,7 @@ void ResultsFile::append(const RunKey& key, const RunResult& r)
     for (const std::string& cell : {r.status, cv::format("%.6f", r.ncc), cv::format("%.6f", r.zncc), std::to_string(r.folds),
                                     cv::format("%.1f", r.align_ms), cv::format("%.1f", r.match_ms)})
         row.push_back(cell);
+    appendCells(r, row);
     file_.append(row);
 }
 
@@ -59,6 +69,7 @@ RunTable ResultsFile::rows() const
     {
         const Cells& row = item.second;
         RunResult result;
+        static_cast<Appearance&>(result) = readAppearance(row, FIRST_COLUMNS.size());
         result.status = row[4];
         result.ncc = numberOf(row, 5);
         result.zncc = numberOf(row, 6);

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include "evaluation/appearance.hpp"
 #include "evaluation/row_file.hpp"
 
 namespace evaluation
@@ -26,8 +27,8 @@ struct RunKey
     }
 };
 
-/// What one run gave.
-struct RunResult
+/// What one run gave; its appearance is measured at degree 0 only, the photographs as they are.
+struct RunResult : Appearance
 {
     std::string status = "ok"; ///< "ok", "rough", "no_alignment" or "failed"; scores are NaN for the last two
     double ncc = 0;

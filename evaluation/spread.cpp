@@ -54,4 +54,16 @@ bool isAhead(const Scores& a, const Scores& b)
     return !a.empty();
 }
 
+double percentile(std::vector<double> values, double percent)
+{
+    CV_Check(percent, percent >= 0 && percent <= 100, "a percentile lies in 0..100");
+    if (values.empty())
+        return 0;
+    std::sort(values.begin(), values.end());
+    const double place = percent / 100 * static_cast<double>(values.size() - 1);
+    const size_t low = static_cast<size_t>(place);
+    const size_t high = std::min(low + 1, values.size() - 1);
+    return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
 } // namespace evaluation

@@ -26,6 +26,9 @@ are compared input by input because an input that is easier is so for both.
 @param a, b as many inputs each */
 bool isAhead(const Scores& a, const Scores& b);
 
+/// The value below which so many per cent of the values lie, linear between two of them; 0 if there are none.
+double percentile(std::vector<double> values, double percent);
+
 } // namespace evaluation
 
 #endif

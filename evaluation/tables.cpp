@@ -258,6 +258,83 @@ std::string costTable(const Runs& runs)
     return table + "\n";
 }
 
+std::vector<std::string> appearanceHeadings()
+{
+    std::vector<std::string> headings;
+    for (const AppearanceColumn& column : appearanceColumns())
+        headings.emplace_back(column.heading);
+    return headings;
+}
+
+/// Median over the inputs that have the measure: a cut that keeps to the border of the overlap says nothing, not the worst.
+double appearanceOf(const Runs& runs, const std::string& pair, const PairMethod& method, Measure measure)
+{
+    Scores present;
+    for (const double score : runs.scores(pair, method, 0, measure))
+        if (std::isfinite(score))
+            present.push_back(score);
+    return median(present);
+}
+
+/// Pairs on which every method has the measure.
+std::vector<std::string> comparedPairs(const Runs& runs, Measure measure)
+{
+    std::vector<std::string> pairs;
+    for (const std::string& pair : runs.pairs())
+        if (std::all_of(runs.methods().begin(), runs.methods().end(), [&](const PairMethod* method)
+                        { return std::isfinite(appearanceOf(runs, pair, *method, measure)); }))
+            pairs.push_back(pair);
+    return pairs;
+}
+
+std::string valueOrDash(double value, const char* form)
+{
+    return " " + (std::isfinite(value) ? cv::format(form, value) : std::string("-")) + " |";
+}
+
+/// Means of every method, and of how many pairs.
+std::string appearanceMeans(const Runs& runs)
+{
+    std::string table = headOf("mean over pairs", appearanceHeadings());
+    for (const PairMethod* method : runs.methods())
+    {
+        table += "| " + std::string(method->label) + " |";
+        for (const AppearanceColumn& column : appearanceColumns())
+        {
+            const std::vector<std::string> pairs = comparedPairs(runs, column.value);
+            double sum = 0;
+            for (const std::string& pair : pairs)
+                sum += appearanceOf(runs, pair, *method, column.value);
+            table += valueOrDash(sum / static_cast<double>(pairs.size()), column.form);
+        }
+        table += "\n";
+    }
+    table += "| pairs that all have |";
+    for (const AppearanceColumn& column : appearanceColumns())
+        table += cv::format(" %zu |", comparedPairs(runs, column.value).size());
+    return table + "\n";
+}
+
+/// What a person sees, of every method in the mean and of the last one on each pair; nothing if it was never measured.
+std::string appearanceTables(const Runs& runs)
+{
+    const std::vector<AppearanceColumn>& columns = appearanceColumns();
+    if (std::all_of(columns.begin(), columns.end(), [&](const AppearanceColumn& column) { return comparedPairs(runs, column.value).empty(); }))
+        return std::string();
+    const PairMethod& last = *runs.methods().back();
+    std::string pairs = headOf(std::string("pair, ") + last.label, appearanceHeadings());
+    for (const std::string& pair : runs.pairs())
+    {
+        pairs += "| " + pair + " |";
+        for (const AppearanceColumn& column : columns)
+            pairs += valueOrDash(appearanceOf(runs, pair, last, column.value), column.form);
+        pairs += "\n";
+    }
+    return "## Photographs as they are: appearance\n\nBend and shape against the homography, seams by one graph cut for all; see\n"
+           "doc/evaluation.md. Lower is better, 0 cannot be seen.\n\n" +
+           appearanceMeans(runs) + "\n## Photographs as they are: appearance on each pair\n\n" + pairs + "\n";
+}
+
 /// What the numbers are, and when one counts as less than another.
 std::string legend(int inputs)
 {
@@ -291,6 +368,7 @@ std::string markdownPage(const RunTable& rows, const std::vector<const PairMetho
     page += "## Photographs as they are: zncc\n\n" + pairTable(runs, &RunResult::zncc, "%.1f") + placeOfGcpw(runs);
     page += spreadTable(runs);
     page += "## Photographs as they are: ncc\n\n" + pairTable(runs, &RunResult::ncc, "%.2f");
+    page += appearanceTables(runs);
     if (runs.degrees().size() > 1)
         page += "## Synthetic colour variation: mean zncc by degree\n\n" + degreeTable(runs);
     page += "## Folds and time, all degrees\n\nProcessor time of everything after the matching, one thread a run.\n\n" + costTable(runs);

@@ -2,8 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 #include <cmath>
+#include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <sys/mman.h>
 #include "evaluation/child_process.hpp"
 #include "evaluation/image_sets.hpp"
 #include "scratch_folder.hpp"
@@ -158,6 +160,17 @@ TEST(Evaluation_ChildProcess, exit_code_time_and_memory_are_known)
     EXPECT_GE(result.seconds, 0.04);
     EXPECT_GT(result.peak_mb, 0.1);
     EXPECT_THROW(evaluation::runChild("/no/such/program", {}), cv::Exception);
+}
+
+TEST(Evaluation_ChildProcess, the_memory_of_a_child_is_not_that_of_its_parent)
+{
+    const double own = evaluation::runChild("/bin/true", {}).peak_mb;
+    const size_t size = size_t(300) << 20; // used and given back; mapped, so that no allocator keeps it
+    void* const large = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    ASSERT_NE(large, MAP_FAILED);
+    std::memset(large, 1, size);
+    ASSERT_EQ(munmap(large, size), 0);
+    EXPECT_LT(evaluation::runChild("/bin/true", {}).peak_mb, own + 100);
 }
 
 } // namespace

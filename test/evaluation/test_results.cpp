@@ -69,7 +69,28 @@ TEST(Evaluation_Results, a_row_is_in_the_file_as_soon_as_it_is_appended)
     const ScratchFolder folder;
     ResultsFile results(folder.path(), OPTIONS, false);
     results.append({"a", "gcpw", 0}, scored(7));
-    EXPECT_NE(folder.read("results.csv").find("a,gcpw,00,1,ok,0.700000,7.000000,2,12.5,0.0\n"), std::string::npos);
+    EXPECT_NE(folder.read("results.csv").find("a,gcpw,00,1,ok,0.700000,7.000000,2,12.5,0.0,,,,,,,\n"), std::string::npos);
+}
+
+TEST(Evaluation_Results, what_was_not_measured_is_empty_and_comes_back_as_nothing)
+{
+    const ScratchFolder folder;
+    {
+        ResultsFile results(folder.path(), OPTIONS, false);
+        RunResult seen = scored(7);
+        seen.bend_p95 = 0.25;
+        seen.crushed = 3;
+        results.append({"a", "gcpw", 0}, seen);
+    }
+    const std::string text = folder.read("results.csv");
+    EXPECT_EQ(text.find("pair,method,degree,input,status,ncc,zncc,folds,align_ms,match_ms,bend_p95,"), 0u) << text;
+    EXPECT_NE(text.find(",12.5,0.0,0.250000,,,,,,3.000000\n"), std::string::npos) << text;
+    const RunTable rows = ResultsFile(folder.path(), OPTIONS, false).rows();
+    EXPECT_DOUBLE_EQ(rows.at({"a", "gcpw", 0}).bend_p95, 0.25);
+    EXPECT_DOUBLE_EQ(rows.at({"a", "gcpw", 0}).crushed, 3);
+    EXPECT_TRUE(std::isnan(rows.at({"a", "gcpw", 0}).seam_worst));
+    folder.write("results.csv", text.substr(0, text.size() - 9) + "much\n");
+    EXPECT_NE(complaint(folder.path(), OPTIONS).find("'much' is no crushed"), std::string::npos) << complaint(folder.path(), OPTIONS);
 }
 
 TEST(Evaluation_Results, a_row_cut_by_an_interruption_is_made_again_and_the_table_is_the_same)

@@ -50,4 +50,14 @@ TEST(Evaluation_Spread, a_method_is_ahead_only_if_it_is_better_on_every_input)
     EXPECT_THROW(evaluation::isAhead(a, {1}), cv::Exception);
 }
 
+TEST(Evaluation_Spread, a_percentile_lies_between_its_neighbours)
+{
+    EXPECT_EQ(evaluation::percentile({}, 95), 0);
+    EXPECT_EQ(evaluation::percentile({7}, 95), 7);
+    EXPECT_DOUBLE_EQ(evaluation::percentile({4, 0, 2}, 50), 2);
+    EXPECT_DOUBLE_EQ(evaluation::percentile({4, 0, 2}, 75), 3);
+    EXPECT_EQ(evaluation::percentile({4, 0, 2}, 100), 4);
+    EXPECT_THROW(evaluation::percentile({1}, 101), cv::Exception);
+}
+
 } // namespace

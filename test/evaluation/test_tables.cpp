@@ -103,6 +103,28 @@ TEST(Evaluation_Tables, further_inputs_in_the_rows_are_left_out)
     EXPECT_THROW(evaluation::markdownPage(rows, METHODS, 6), cv::Exception);
 }
 
+TEST(Evaluation_Tables, appearance_is_the_mean_of_medians_of_pairs_that_all_have)
+{
+    RunTable rows = threeInputs();
+    EXPECT_EQ(evaluation::markdownPage(rows, METHODS, 3).find("appearance"), std::string::npos) << "never measured";
+    int turn = 0;
+    for (auto& row : rows)
+    {
+        const bool door = row.first.pair == "door";
+        row.second.bend_p95 = (door ? 1 : 3) + (row.first.input == 2 ? 0.5 : 0) + (row.first.input == 3 ? 90 : 0);
+        if (door && row.first.input != 3) // no cut on one of the inputs: nothing, not the worst
+            row.second.seam_worst = row.first.input == 1 ? 0.2 : 0.3;
+        row.second.cast = ++turn;
+    }
+    const std::string page = evaluation::markdownPage(rows, METHODS, 3);
+    expectHolds(page, "| mean over pairs | bend p95, px | bent, % | shape | seam p95 | seam worst | cast | crushed, % |");
+    expectHolds(page, "| DF-W | 2.50 | - | - | - | 0.25 | 6.5 | - |");
+    expectHolds(page, "| pairs that all have | 2 | 0 | 0 | 0 | 1 | 2 | 0 |");
+    expectHolds(page, "| pair, GCPW | bend p95, px | bent, % | shape | seam p95 | seam worst | cast | crushed, % |");
+    expectHolds(page, "| door | 1.50 | - | - | - | 0.25 | 5.0 | - |");
+    expectHolds(page, "| park | 3.50 | - | - | - | - | 14.0 | - |");
+}
+
 TEST(Evaluation_Tables, a_failed_run_is_a_dash_and_its_pair_is_in_no_mean)
 {
     RunTable rows = twoPairs();

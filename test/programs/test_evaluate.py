@@ -45,7 +45,16 @@ def main():
     score = {row["method"]: float(row["zncc"]) for row in whole if row["pair"] == "a" and row["degree"] == "00"}
     assert all(value < score["global"] for method, value in score.items() if method != "global"), score
     assert all(row["folds"] == "0" for row in whole if row["method"] == "gcpw"), whole
+    looks = ("bend_p95", "bend_share", "shape", "seam_p95", "seam_worst", "cast", "crushed")
+    seams = looks[3:5] # of unlike colours the cut keeps to the border of the overlap, where nothing can be compared
+    assert all(row[name] or (name in seams and row["method"] != "gcpw") for row in whole for name in looks if row["degree"] == "00"), whole
+    assert not any(row[name] for row in whole for name in looks if row["degree"] == "16"), whole
+    for row in whole:
+        if row["degree"] == "00":
+            assert (float(row["shape"]) == 0) == (row["method"] == "global"), row
+            assert (float(row["cast"]) == 0) == (row["method"] != "gcpw"), row
     report = (OUT / "report.md").read_text(encoding="utf-8")
+    assert "| mean over pairs | bend p95, px |" in report and "| pair, GCPW | bend p95, px |" in report, report
     assert "| pair | Global | APAP | CPW | DF-W | MF-W | LSH+MF-W | ROS+MF-W | GCPW |" in report, report
     assert (OUT / "sheets" / "a.jpg").stat().st_size > 10000
 
@@ -87,6 +96,8 @@ def main():
     sets = f"--sets={SCRATCH}/sets"
     assert "stitching street" in evaluate(sets, pairs=False)
     table = (OUT / "sets.md").read_text(encoding="utf-8")
+    assert "| street | none | 0.00 | 0.0 | 0.000 | " in table, table
+    assert (OUT / "sets" / "street" / "gcpw" / "model.yml.gz").is_file()
     assert "| street | none | 2 of 2 |" in table and "| street | gcpw | 2 of 2 |" in table, table
     assert "stitching street" not in evaluate(sets, pairs=False)
     assert (OUT / "sets.md").read_text(encoding="utf-8") == table
