@@ -21,11 +21,24 @@ using cv::gcpw::PairMatches;
 using cv::gcpw::Params;
 using cv::gcpw::Progress;
 
+/// The methods before GCPW as they were published: what this module adds for lines and shapes is not theirs.
+void forgetShapes(Params& params)
+{
+    const Params alignment_only = Params::alignmentOnly();
+    if (params.similarityWeight == Params().similarityWeight)
+        params.similarityWeight = alignment_only.similarityWeight;
+    params.straightnessWeight = alignment_only.straightnessWeight;
+    params.stretchLimit = alignment_only.stretchLimit;
+    params.outsideWeight = alignment_only.outsideWeight;
+}
+
 template <Method METHOD>
 Alignment alignBy(const Mat& source, const Mat& target, const PairMatches& matches, const Params& params, const Progress& progress)
 {
     Params own = params;
     own.method = METHOD;
+    if (METHOD != Method::GCPW)
+        forgetShapes(own);
     return cv::gcpw::alignPair(source, target, matches, own, progress);
 }
 

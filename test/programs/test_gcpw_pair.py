@@ -17,7 +17,7 @@ REPORT = {"status", "message", "method", "points", "lines", "folds", "max_displa
 LEVEL = {"scale", "iterations", "stop", "energy_start", "energy_end"}
 # The energies of the terms that the default method has, and of those that it may have on a level.
 ENERGY = {"points", "lines", "similarity", "total"}
-ENERGY_TOO = {"photometric", "color_smoothness", "color_prior", "anchors"}
+ENERGY_TOO = {"straightness", "photometric", "color_smoothness", "color_prior", "anchors"}
 TIMINGS = {"features", "homography", "align", "render", "total"}
 MODEL = "model.yml.gz"  # Alignment::save()
 QUICK = ("--work_megapix=0.15", "--set=featureMegapix=0.15")

@@ -101,6 +101,7 @@ TEST_F(Gcpw_ProblemBuilder, a_pair_and_two_images_on_a_canvas_with_one_start_are
 
 TEST_F(Gcpw_ProblemBuilder, from_one_start_and_its_matches_both_calls_give_one_alignment)
 {
+    params.outsideWeight = 0; // alignPair() ignores it
     ProblemBuilder builder(images, std::vector<Mat>(), ScaleRule::COMMON, params, silent);
     buildOnCanvas(builder);
     PairMatches matches = startAt(CORNER);
