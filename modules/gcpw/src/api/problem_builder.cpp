@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "api/problem_builder.hpp"
 
+#include <algorithm>
 #include <opencv2/core/utils/logger.hpp>
 #include "api/known_matches.hpp"
 #include "api/result.hpp"
@@ -182,7 +183,7 @@ MatchSet ProblemBuilder::verified(const std::vector<Correspondences>& known, con
     MatchSet matches;
     matches.points = toWork(known, pair.a, pair.b, images_);
     MatchFilterSchedule schedule;
-    schedule.similarity_weight = params_.similarityWeight;
+    schedule.similarity_weight = std::max(params_.similarityWeight, schedule.similarity_weight);
     const MeshGrid& a = problem_.images[pair.a].rough;
     MeshGrid fitted = a;
     if (filterMatches(matches.points, fitted, a, problem_.images[pair.b].rough, pair.shift_b, schedule) ==

@@ -19,7 +19,7 @@ struct MatchFilterSchedule
     double end_px = 2.5;  ///< scale of the last fit
     double factor = 0.6;  ///< of the scale from fit to fit
     double keep_px = 4;   ///< matches farther from the last mesh are dropped
-    double similarity_weight = 0.2;
+    double similarity_weight = 0.2; ///< a softer mesh would follow what it is to reject
 };
 
 enum class MatchFilterStatus

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "registration/pair_matcher.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
@@ -71,7 +72,7 @@ MatchSet matchPair(const Features& a, const Features& b, const MeshGrid& rough, 
     const Size size = fixed.lattice().imageSize();
     MeshGrid fitted = rough;
     MatchFilterSchedule schedule;
-    schedule.similarity_weight = params.similarityWeight;
+    schedule.similarity_weight = std::max(params.similarityWeight, schedule.similarity_weight);
     const auto matchAround = [&](double search_radius)
     {
         std::vector<PointMatch> points = toPointMatches(
