@@ -57,9 +57,9 @@ void RecordingEquations::addBlock(QuadId quad, const QuadBlock& block, const Qua
     blocks.push_back(item);
 }
 
-void RecordingEquations::addGroup(int image, const std::vector<GroupRow>& rows, double weight)
+void RecordingEquations::addGroup(int image, const std::vector<GroupRow>& group_rows, double weight)
 {
-    groups.push_back({image, rows, weight});
+    groups.push_back({image, group_rows, weight});
 }
 
 Eigen::MatrixXd RecordingEquations::reduced(const Group& group) const

@@ -68,7 +68,7 @@ public:
                 double residual, double weight) override;
     void addBlock(cv::gcpw::QuadId quad, const cv::gcpw::QuadBlock& block, const cv::gcpw::QuadRow& gradient,
                   double energy) override;
-    void addGroup(int image, const std::vector<cv::gcpw::GroupRow>& rows, double weight) override;
+    void addGroup(int image, const std::vector<cv::gcpw::GroupRow>& group_rows, double weight) override;
     void addPhotometric(cv::gcpw::QuadId quad, const cv::gcpw::PhotometricBlock& block) override;
     void addCross(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::CrossBlock& block) override;
     void addColorDifference(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::ColorBlock& block) override;

@@ -68,7 +68,7 @@ TEST(Gcpw_Params, alignment_only_lets_lines_and_shapes_go)
     EXPECT_EQ(p.stretchLimit, 0);
     const Params defaults;
     EXPECT_GT(defaults.straightnessWeight, 0);
-    for (const std::string& name : {"straightnessWeight", "outsideWeight", "stretchLimit", "similarityWeight"})
+    for (const char* const name : {"straightnessWeight", "outsideWeight", "stretchLimit", "similarityWeight"})
         p.set(name, defaults.get(name));
     for (const std::string& name : Params::names())
         EXPECT_EQ(p.get(name), defaults.get(name)) << name;
