@@ -57,9 +57,9 @@ void RecordingEquations::addBlock(QuadId quad, const QuadBlock& block, const Qua
     blocks.push_back(item);
 }
 
-void RecordingEquations::addGroup(int image, const std::vector<GroupRow>& group_rows, double weight)
+void RecordingEquations::addGroup(int image, const RowGroup& group, const std::vector<double>& residuals, double weight)
 {
-    groups.push_back({image, group_rows, weight});
+    groups.push_back({image, group.rows(), residuals, weight});
 }
 
 Eigen::MatrixXd RecordingEquations::reduced(const Group& group) const
@@ -72,7 +72,7 @@ Eigen::MatrixXd RecordingEquations::reduced(const Group& group) const
         const GroupRow& row = group.rows[static_cast<size_t>(k)];
         for (int i = 0; i < 8; ++i)
             system(k, meshColumn({group.image, row.cell}, i)) += row.row[i];
-        system(k, columns_) = row.residual;
+        system(k, columns_) = group.residuals[static_cast<size_t>(k)];
         own(k, 0) = row.shared[0];
         own(k, 1) = row.shared[1];
     }

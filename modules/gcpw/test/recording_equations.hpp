@@ -58,6 +58,7 @@ public:
     {
         int image;
         std::vector<cv::gcpw::GroupRow> rows;
+        std::vector<double> residuals;
         double weight;
     };
 
@@ -68,7 +69,7 @@ public:
                 double residual, double weight) override;
     void addBlock(cv::gcpw::QuadId quad, const cv::gcpw::QuadBlock& block, const cv::gcpw::QuadRow& gradient,
                   double energy) override;
-    void addGroup(int image, const std::vector<cv::gcpw::GroupRow>& group_rows, double weight) override;
+    void addGroup(int image, const cv::gcpw::RowGroup& group, const std::vector<double>& residuals, double weight) override;
     void addPhotometric(cv::gcpw::QuadId quad, const cv::gcpw::PhotometricBlock& block) override;
     void addCross(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::CrossBlock& block) override;
     void addColorDifference(cv::gcpw::QuadId a, cv::gcpw::QuadId b, const cv::gcpw::ColorBlock& block) override;

@@ -71,14 +71,19 @@ TEST(Gcpw_CameraSearch, where_single_focal_lengths_explode_all_get_one)
     EXPECT_TRUE(says(choice, "were not taken"));
 }
 
+/// Of a camera that moves along a wall by so many pixels from shot to shot.
+std::vector<gcpw::Link> linksAlongAWall(int count, double step_px)
+{
+    return linksBy(count, [step_px](int a, int b) { return Matx33d(1, 0, -step_px * (b - a), 0, 1, 0, 0, 0, 1); });
+}
+
 TEST(Gcpw_CameraSearch, photographs_of_a_plane_far_apart_are_laid_beside_each_other)
 {
-    // A camera that moves along a wall: as a turning one it would see more than a circle.
-    const std::vector<gcpw::Link> links =
-        linksBy(12, [](int a, int b) { return Matx33d(1, 0, -400.0 * (b - a), 0, 1, 0, 0, 0, 1); });
+    // A turning camera would see more than a circle.
+    const std::vector<gcpw::Link> links = linksAlongAWall(12, 400);
     const CameraChoice choice = found(linkedBy(12, links));
     ASSERT_EQ(choice.cameras.size(), size_t(12));
-    const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::pictureScale(choice.cameras));
+    const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::medianFocal(choice.cameras));
     const gcpw::PictureShape shape = gcpw::shapeOfPicture(choice.cameras, sizesOf(12), *warper, 0);
     EXPECT_EQ(shape.fault, "");
     EXPECT_LT(shape.area, 1);
@@ -87,11 +92,10 @@ TEST(Gcpw_CameraSearch, photographs_of_a_plane_far_apart_are_laid_beside_each_ot
 TEST(Gcpw_CameraSearch, photographs_of_a_plane_are_not_bent_onto_a_sphere)
 {
     // Near enough to each other that turning cameras fit them somehow.
-    const std::vector<gcpw::Link> links =
-        linksBy(4, [](int a, int b) { return Matx33d(1, 0, -250.0 * (b - a), 0, 1, 0, 0, 0, 1); });
+    const std::vector<gcpw::Link> links = linksAlongAWall(4, 250);
     const CameraChoice choice = found(linkedBy(4, links));
     ASSERT_EQ(choice.cameras.size(), size_t(4));
-    const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::pictureScale(choice.cameras));
+    const Ptr<cv::detail::RotationWarper> warper = makeWarper(choice.projection, gcpw::medianFocal(choice.cameras));
     for (const double miss : gcpw::missesOf(choice.cameras, links, *warper, 0))
         EXPECT_LT(miss, 0.004 * SHOT.width);
 }
@@ -122,7 +126,7 @@ TEST(Gcpw_CameraSearch, links_that_contradict_each_other_make_no_absurd_picture)
         EXPECT_TRUE(checkRange(choice.cameras[i].R));
     if (!choice.cameras.empty())
     {
-        const float scale = gcpw::pictureScale(choice.cameras);
+        const float scale = gcpw::medianFocal(choice.cameras);
         EXPECT_EQ(gcpw::shapeOfPicture(choice.cameras, sizesOf(choice.cameras.size()),
                                        *makeWarper(choice.projection, scale), 0)
                       .fault,

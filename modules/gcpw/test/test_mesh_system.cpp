@@ -37,10 +37,10 @@ public:
         one_.addBlock(quad, block, gradient, energy);
         other_.addBlock(quad, block, gradient, energy);
     }
-    void addGroup(int image, const std::vector<GroupRow>& rows, double weight) override
+    void addGroup(int image, const RowGroup& group, const std::vector<double>& residuals, double weight) override
     {
-        one_.addGroup(image, rows, weight);
-        other_.addGroup(image, rows, weight);
+        one_.addGroup(image, group, residuals, weight);
+        other_.addGroup(image, group, residuals, weight);
     }
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override
     {
@@ -153,18 +153,26 @@ TEST(Gcpw_MeshSystem, tied_images_are_solved_together)
     EXPECT_GT((denseStep(loose, false, false) - expected).norm(), 0.1 * expected.norm());
 }
 
-/// Rows of one image that share two unknowns.
-std::vector<GroupRow> randomGroup(RNG& rng, int cells)
+/// Nine rows of one image that share two unknowns.
+RowGroup randomGroup(RNG& rng, const Lattice& lattice)
 {
     std::vector<GroupRow> rows(9);
     for (GroupRow& row : rows)
     {
-        row.cell = rng.uniform(0, cells);
+        row.cell = rng.uniform(0, lattice.cellCount());
         row.row = randomRow(rng);
-        row.residual = rng.uniform(-1.0, 1.0);
         row.shared = {{1, rng.uniform(-1.0, 1.0)}};
     }
-    return rows;
+    return RowGroup(lattice, rows);
+}
+
+std::vector<double> randomResiduals(RNG& rng, const RowGroup& group)
+{
+    std::vector<double> residuals(group.rows().size());
+    for (double& residual : residuals)
+        residual = rng.uniform(-1.0, 1.0);
+    group.project(residuals);
+    return residuals;
 }
 
 TEST(Gcpw_MeshSystem, unknowns_that_a_group_of_rows_shares_are_eliminated_exactly)
@@ -179,7 +187,10 @@ TEST(Gcpw_MeshSystem, unknowns_that_a_group_of_rows_shares_are_eliminated_exactl
         const Eigen::VectorXd before = denseStep(record, false, false);
         RNG rng = seeded(6);
         for (int k = 0; k < 6; ++k)
-            both.addGroup(k % 2, randomGroup(rng, k % 2 ? SECOND.cellCount() : FIRST.cellCount()), 20);
+        {
+            const RowGroup group = randomGroup(rng, k % 2 ? SECOND : FIRST);
+            both.addGroup(k % 2, group, randomResiduals(rng, group), 20);
+        }
         MeshStep step;
         ASSERT_EQ(system.solve(step, 1e-8), SolveStatus::Solved);
         const Eigen::VectorXd expected = denseStep(record, false, false);
@@ -192,11 +203,13 @@ TEST(Gcpw_MeshSystem, a_group_resists_nothing_that_its_own_unknowns_follow)
 {
     RNG rng = seeded(7);
     MeshSystem system({FIRST, SECOND}, {false, false});
-    std::vector<GroupRow> rows = randomGroup(rng, FIRST.cellCount());
-    for (GroupRow& row : rows)
-        row.residual = 3 * row.shared[0] - 5 * row.shared[1];
+    const RowGroup group = randomGroup(rng, FIRST);
+    std::vector<double> residuals;
+    for (const GroupRow& row : group.rows())
+        residuals.push_back(3 * row.shared[0] - 5 * row.shared[1]);
+    EXPECT_LT(group.project(residuals), 1e-20);
     system.addDamping(DAMPING);
-    system.addGroup(0, rows, 1e6);
+    system.addGroup(0, group, residuals, 1e6);
     MeshStep step;
     ASSERT_EQ(system.solve(step), SolveStatus::Solved);
     EXPECT_LT(stacked(step).norm(), 1e-6);
@@ -206,7 +219,8 @@ TEST(Gcpw_MeshSystem, setZero_forgets_groups)
 {
     RNG rng = seeded(8);
     MeshSystem system({FIRST, SECOND}, {false, false});
-    system.addGroup(0, randomGroup(rng, FIRST.cellCount()), 10);
+    const RowGroup group = randomGroup(rng, FIRST);
+    system.addGroup(0, group, randomResiduals(rng, group), 10);
     system.setZero();
     system.addDamping(DAMPING);
     MeshStep step;

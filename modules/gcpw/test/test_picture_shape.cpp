@@ -26,7 +26,7 @@ Ptr<cv::detail::RotationWarper> makeWarper(const std::string& name, float scale)
 
 PictureShape spherical(const std::vector<cv::detail::CameraParams>& cameras)
 {
-    const float scale = gcpw::pictureScale(cameras);
+    const float scale = gcpw::medianFocal(cameras);
     return gcpw::shapeOfPicture(cameras, sizesOf(cameras.size()), *makeWarper("spherical", scale), 2 * CV_PI * scale);
 }
 

@@ -140,17 +140,6 @@ TEST(Gcpw_SimilarityTerm, at_the_stretch_limit_the_resistance_has_doubled)
     EXPECT_NEAR(slopeAt(limited, 0.3) / slopeAt(plain, 0.3), 10, 0.1);
 }
 
-TEST(Gcpw_SimilarityTerm, cells_have_weights_of_their_own)
-{
-    std::vector<double> weights(LATTICE.cellCount(), 1);
-    weights[5] = 3;
-    const double all = SimilarityTerm(0, rough(), WEIGHT).evaluate(deformed().state());
-    const double heavier = SimilarityTerm(0, rough(), WEIGHT, 0, weights).evaluate(deformed().state());
-    weights[5] = 2;
-    EXPECT_NEAR(heavier - all, 2 * (SimilarityTerm(0, rough(), WEIGHT, 0, weights).evaluate(deformed().state()) - all), 1e-9 * all);
-    EXPECT_GT(heavier, all);
-}
-
 TEST(Gcpw_SimilarityTerm, numbers_stay_good_far_from_the_origin)
 {
     SimilarityTerm term(0, rough(), WEIGHT);

@@ -118,13 +118,20 @@ Params::Params()
     featureMegapix = 2;
 }
 
-Params Params::paper()
+Params Params::alignmentOnly()
 {
     Params p;
-    p.similarityWeight = 0.5;
+    p.similarityWeight = 0.2;
     p.stretchLimit = 0;
     p.straightnessWeight = 0;
     p.outsideWeight = 0;
+    return p;
+}
+
+Params Params::paper()
+{
+    Params p = alignmentOnly(); // the paper knows no other prior of shape than similarity
+    p.similarityWeight = 0.5;
     p.colorSmoothnessWeight = 1;
     p.sampleStep = 3;
     p.maxIterations = 1000;
@@ -138,16 +145,6 @@ Params Params::paper()
     p.exposureWeight = 0;
     p.balanceWeight = 0;
     p.guidedMatching = 0;
-    return p;
-}
-
-Params Params::alignmentOnly()
-{
-    Params p;
-    p.similarityWeight = 0.2;
-    p.stretchLimit = 0;
-    p.straightnessWeight = 0;
-    p.outsideWeight = 0;
     return p;
 }
 

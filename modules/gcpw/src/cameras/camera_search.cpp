@@ -78,7 +78,7 @@ Attempt attempt(const LinkedImages& images, double confidence, CameraModel model
     }
     const std::vector<Size> sizes = sizesOf(images);
     const std::vector<Link> links = linksOf(images, confidence);
-    const float scale = pictureScale(result.cameras);
+    const float scale = medianFocal(result.cameras);
     if (model == CameraModel::FLAT)
     {
         const Ptr<cv::detail::RotationWarper> warper = make(AFFINE, scale);

@@ -81,7 +81,7 @@ double medianOf(std::vector<double>& values)
 
 } // namespace
 
-float pictureScale(const std::vector<cv::detail::CameraParams>& cameras)
+float medianFocal(const std::vector<cv::detail::CameraParams>& cameras)
 {
     std::vector<double> focals;
     for (const cv::detail::CameraParams& camera : cameras)

@@ -26,11 +26,11 @@ struct PictureShape
     std::string fault; ///< what is out of proportion, in words; empty for nothing
 };
 
-/// The scale that a stitcher gives to its warper: the cameras' median focal length.
-float pictureScale(const std::vector<cv::detail::CameraParams>& cameras);
+/// The median focal length of cameras: the scale that a stitcher gives to its warper.
+float medianFocal(const std::vector<cv::detail::CameraParams>& cameras);
 
 /** @brief Measures the picture.
-@param warper of pictureScale()
+@param warper of scale medianFocal()
 @param period of the canvas in x, 0 if it does not repeat: an image across its seam is no larger for that */
 PictureShape shapeOfPicture(const std::vector<cv::detail::CameraParams>& cameras, const std::vector<Size>& sizes,
                             cv::detail::RotationWarper& warper, double period);

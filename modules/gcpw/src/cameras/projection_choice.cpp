@@ -72,7 +72,7 @@ ProjectionChoice chooseProjection(const std::vector<cv::detail::CameraParams>& c
         trials = {{forced.c_str(), forced == PLANE && column ? STANDING * straight : straight,
                    forced != PLANE && column, SPHERE_STRETCH},
                   {forced.c_str(), centre, false, SPHERE_STRETCH}};
-    const float scale = pictureScale(cameras);
+    const float scale = medianFocal(cameras);
     ProjectionChoice best;
     for (const Trial& trial : trials)
     {

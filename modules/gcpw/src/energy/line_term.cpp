@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "geometry/curve.hpp"
 
 namespace cv
 {
@@ -15,8 +16,7 @@ namespace gcpw
 namespace
 {
 
-const double MAX_SAMPLES = 10000; ///< of a segment: no image that fits into memory has longer lines at the default step
-const double FARTHEST = 1e8;      ///< px: a cell's index would overflow for points beyond
+const double FARTHEST = 1e8; ///< px: a cell's index would overflow for points beyond
 
 /// Also false for what is not a number.
 bool isPlace(Point2d p)

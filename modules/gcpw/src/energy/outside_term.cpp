@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "energy/outside_term.hpp"
 
+#include "energy/quad_form.hpp"
+
 namespace cv
 {
 namespace gcpw
@@ -13,60 +15,62 @@ namespace
 
 const int EDGES[4][2] = {{0, 1}, {2, 3}, {0, 2}, {1, 3}}; ///< of a quad, by its corners
 
+/// weight * sum over the edges (i, j) of | x_i - x_j |^2
+QuadBlock edgeBlock(double weight)
+{
+    QuadBlock block{};
+    for (const auto& edge : EDGES)
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            const int i = 2 * edge[0] + axis;
+            const int j = 2 * edge[1] + axis;
+            block[i][i] += weight;
+            block[j][j] += weight;
+            block[i][j] -= weight;
+            block[j][i] -= weight;
+        }
+    return block;
+}
+
 } // namespace
 
 OutsideTerm::OutsideTerm(int image, const MeshGrid& rough, const std::vector<double>& cell_weights, double weight)
     : image_(image), rough_(rough)
 {
     CV_Assert(static_cast<int>(cell_weights.size()) == rough.lattice().cellCount());
-    for (const double w : cell_weights)
-        weights_.push_back(weight * w);
+    for (size_t cell = 0; cell < cell_weights.size(); ++cell)
+        if (weight * cell_weights[cell] > 0)
+            quads_.push_back({static_cast<int>(cell), edgeBlock(weight * cell_weights[cell])});
 }
 
-double OutsideTerm::add(const State& state, NormalEquations* equations) const
+double OutsideTerm::slope(const Quad& quad, const State& state, QuadRow& gradient) const
 {
-    double total = 0;
-    for (int cell = 0; cell < rough_.lattice().cellCount(); ++cell)
-    {
-        const double w = weights_[cell];
-        if (w == 0)
-            continue;
-        QuadBlock block{};
-        QuadRow gradient{};
-        double energy = 0;
-        for (const auto& edge : EDGES)
-        {
-            const int i = edge[0];
-            const int j = edge[1];
-            const MeshGrid& mesh = state[image_].mesh;
-            const Point2d change = (mesh.vertex(cell, i) - rough_.vertex(cell, i)) - (mesh.vertex(cell, j) - rough_.vertex(cell, j));
-            energy += w * change.dot(change);
-            for (int axis = 0; axis < 2; ++axis)
-            {
-                const double c = w * (axis == 0 ? change.x : change.y);
-                gradient[2 * i + axis] += c;
-                gradient[2 * j + axis] -= c;
-                block[2 * i + axis][2 * i + axis] += w;
-                block[2 * j + axis][2 * j + axis] += w;
-                block[2 * i + axis][2 * j + axis] -= w;
-                block[2 * j + axis][2 * i + axis] -= w;
-            }
-        }
-        if (equations)
-            equations->addBlock({image_, cell}, block, gradient, energy);
-        total += energy;
-    }
-    return total;
+    QuadPoints moves;
+    for (int k = 0; k < 4; ++k)
+        moves[k] = state[image_].mesh.vertex(quad.cell, k) - rough_.vertex(quad.cell, k);
+    return quadForm(quad.block, moves, gradient);
 }
 
 double OutsideTerm::evaluate(const State& state) const
 {
-    return add(state, nullptr);
+    double total = 0;
+    QuadRow ignored;
+    for (const Quad& quad : quads_)
+        total += slope(quad, state, ignored);
+    return total;
 }
 
 double OutsideTerm::linearize(const State& state, NormalEquations& equations)
 {
-    return add(state, &equations);
+    double total = 0;
+    for (const Quad& quad : quads_)
+    {
+        QuadRow gradient;
+        const double energy = slope(quad, state, gradient);
+        equations.addBlock({image_, quad.cell}, quad.block, gradient, energy);
+        total += energy;
+    }
+    return total;
 }
 
 } // namespace gcpw

@@ -29,11 +29,17 @@ public:
     double linearize(const State& state, NormalEquations& equations) override;
 
 private:
-    double add(const State& state, NormalEquations* equations) const;
+    struct Quad
+    {
+        int cell;
+        QuadBlock block; ///< full, symmetric
+    };
+    /// Energy of a quad, and half its slope.
+    double slope(const Quad& quad, const State& state, QuadRow& gradient) const;
 
     int image_;
     MeshGrid rough_;
-    std::vector<double> weights_;
+    std::vector<Quad> quads_; ///< those that weigh anything
 };
 
 } // namespace gcpw

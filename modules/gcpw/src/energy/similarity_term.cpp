@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "energy/similarity_term.hpp"
 
+#include "energy/quad_form.hpp"
+
 namespace cv
 {
 namespace gcpw
@@ -39,24 +41,7 @@ void addTriangle(const MeshGrid& rough, int cell, const int (&corners)[3], QuadB
 /// Energy of a quad at a mesh, and half its slope.
 double slope(const QuadBlock& block, const MeshGrid& mesh, int cell, QuadRow& gradient)
 {
-    QuadRow x{};
-    // The block ignores a shift of the whole quad: taking corner 0 as origin keeps the numbers small.
-    const Point2d origin = mesh.vertex(cell, 0);
-    for (int k = 0; k < 4; ++k)
-    {
-        const Point2d v = mesh.vertex(cell, k) - origin;
-        x[2 * k] = v.x;
-        x[2 * k + 1] = v.y;
-    }
-    gradient = QuadRow{};
-    double energy = 0;
-    for (int i = 0; i < 8; ++i)
-    {
-        for (int j = 0; j < 8; ++j)
-            gradient[i] += block[i][j] * x[j];
-        energy += gradient[i] * x[i];
-    }
-    return energy;
+    return quadForm(block, {{mesh.vertex(cell, 0), mesh.vertex(cell, 1), mesh.vertex(cell, 2), mesh.vertex(cell, 3)}}, gradient);
 }
 
 } // namespace
@@ -69,21 +54,17 @@ QuadBlock similarityBlock(const MeshGrid& rough, int cell)
     return block;
 }
 
-SimilarityTerm::SimilarityTerm(int image, const MeshGrid& rough, double weight, double stretch_limit,
-                               const std::vector<double>& cell_weights)
-    : image_(image)
+SimilarityTerm::SimilarityTerm(int image, const MeshGrid& rough, double weight, double stretch_limit) : image_(image)
 {
     const int count = rough.lattice().cellCount();
-    CV_Assert(cell_weights.empty() || static_cast<int>(cell_weights.size()) == count);
     for (int cell = 0; cell < count; ++cell)
     {
-        const double own = cell_weights.empty() ? weight : weight * cell_weights[cell];
         blocks_.push_back(similarityBlock(rough, cell));
         for (auto& row : blocks_.back())
             for (double& value : row)
-                value *= own;
+                value *= weight;
         const double area = 0.5 * (rough.cornerArea(cell, 0) + rough.cornerArea(cell, 3));
-        const double unit = own * area * stretch_limit * stretch_limit;
+        const double unit = weight * area * stretch_limit * stretch_limit;
         growth_.push_back(unit > 0 ? 1 / unit : 0);
     }
 }

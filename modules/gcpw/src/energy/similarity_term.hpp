@@ -25,9 +25,8 @@ quads rather than shear a few. */
 class SimilarityTerm : public EnergyTerm
 {
 public:
-    /// @param cell_weights further factor of every quad; none: 1  @param stretch_limit L; 0: none
-    SimilarityTerm(int image, const MeshGrid& rough, double weight, double stretch_limit = 0,
-                   const std::vector<double>& cell_weights = std::vector<double>());
+    /// @param stretch_limit L; 0: none
+    SimilarityTerm(int image, const MeshGrid& rough, double weight, double stretch_limit = 0);
 
     const char* name() const override { return "similarity"; }
     double evaluate(const State& state) const override;

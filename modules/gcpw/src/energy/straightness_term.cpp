@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include "solver/projected_rows.hpp"
 
 namespace cv
 {
@@ -26,8 +25,8 @@ StraightnessTerm::StraightnessTerm(int image, const MeshGrid& rough, const std::
     CV_CheckGT(step_px, 0.0, "Samples of curves need a positive step");
     for (const Curve& curve : curves)
     {
-        Samples samples;
-        double length = 0;
+        std::vector<Sample> points;
+        std::vector<double> passed; // along the rough curve, px
         for (const Point2d& p : resampled(curve, step_px))
         {
             if (!rough.lattice().contains(p)) // a mesh is not defined outside its image
@@ -35,64 +34,57 @@ StraightnessTerm::StraightnessTerm(int image, const MeshGrid& rough, const std::
             Sample sample;
             sample.point = rough.lattice().locate(p);
             sample.rough = rough.warp(sample.point);
-            if (!samples.empty())
-                length += std::hypot(sample.rough.x - samples.back().rough.x, sample.rough.y - samples.back().rough.y);
-            sample.length = length;
-            samples.push_back(sample);
+            passed.push_back(points.empty() ? 0 : passed.back() + norm(sample.rough - points.back().rough));
+            points.push_back(sample);
         }
-        if (samples.size() < LEAST_SAMPLES || !(length > 0) || !std::isfinite(length))
+        if (points.size() < LEAST_SAMPLES || !(passed.back() > 0) || !std::isfinite(passed.back()))
             continue;
-        for (size_t k = 0; k < samples.size(); ++k)
+        std::vector<GroupRow> rows(points.size());
+        for (size_t k = 0; k < points.size(); ++k)
         {
-            const Point2d chord = samples[std::min(k + 1, samples.size() - 1)].rough - samples[k > 0 ? k - 1 : 0].rough;
-            const double norm = std::hypot(chord.x, chord.y);
-            samples[k].normal = norm > 0 ? Point2d(-chord.y, chord.x) / norm : Point2d();
-            samples[k].length = 2 * samples[k].length / length - 1;
+            const Point2d chord = points[std::min(k + 1, points.size() - 1)].rough - points[k > 0 ? k - 1 : 0].rough;
+            const double length = norm(chord);
+            const Point2d normal = length > 0 ? Point2d(-chord.y, chord.x) / length : Point2d();
+            points[k].normal = normal;
+            rows[k].cell = points[k].point.cell;
+            rows[k].shared = {{-1, 1 - 2 * passed[k] / passed.back()}};
+            for (int i = 0; i < 4; ++i)
+            {
+                rows[k].row[2 * i] = points[k].point.weight[i] * normal.x;
+                rows[k].row[2 * i + 1] = points[k].point.weight[i] * normal.y;
+            }
         }
-        curves_.push_back(samples);
+        curves_.push_back({points, RowGroup(rough.lattice(), rows)});
     }
 }
 
-void StraightnessTerm::residuals(const Samples& samples, const State& state, std::vector<GroupRow>& rows) const
+double StraightnessTerm::residuals(const Samples& curve, const State& state, std::vector<double>& result) const
 {
-    rows.resize(samples.size());
-    for (size_t k = 0; k < samples.size(); ++k)
-    {
-        const Sample& sample = samples[k];
-        rows[k].cell = sample.point.cell;
-        rows[k].residual = sample.normal.dot(state[image_].mesh.warp(sample.point) - sample.rough);
-        rows[k].shared = {{-1, -sample.length}};
-    }
+    result.clear();
+    for (const Sample& sample : curve.points)
+        result.push_back(sample.normal.dot(state[image_].mesh.warp(sample.point) - sample.rough));
+    return curve.rows.project(result);
 }
 
 double StraightnessTerm::evaluate(const State& state) const
 {
     double energy = 0;
-    std::vector<GroupRow> rows;
-    for (const Samples& samples : curves_)
-    {
-        residuals(samples, state, rows);
-        for (const double r : projectOut(rows).residuals)
-            energy += weight_ * r * r;
-    }
+    std::vector<double> left;
+    for (const Samples& curve : curves_)
+        energy += weight_ * residuals(curve, state, left);
     return energy;
 }
 
 double StraightnessTerm::linearize(const State& state, NormalEquations& equations)
 {
-    std::vector<GroupRow> rows;
-    for (const Samples& samples : curves_)
+    double energy = 0;
+    std::vector<double> left;
+    for (const Samples& curve : curves_)
     {
-        residuals(samples, state, rows);
-        for (size_t k = 0; k < samples.size(); ++k)
-            for (int i = 0; i < 4; ++i)
-            {
-                rows[k].row[2 * i] = samples[k].point.weight[i] * samples[k].normal.x;
-                rows[k].row[2 * i + 1] = samples[k].point.weight[i] * samples[k].normal.y;
-            }
-        equations.addGroup(image_, rows, weight_);
+        energy += weight_ * residuals(curve, state, left);
+        equations.addGroup(image_, curve.rows, left, weight_);
     }
-    return evaluate(state);
+    return energy;
 }
 
 } // namespace gcpw

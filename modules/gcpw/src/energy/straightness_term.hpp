@@ -35,11 +35,15 @@ private:
     {
         CellPoint point;
         Point2d rough;
-        Point2d normal;
-        double length; ///< along the rough curve, from its middle, in half lengths of the curve
+        Point2d normal; ///< of the rough curve
     };
-    typedef std::vector<Sample> Samples;
-    void residuals(const Samples& samples, const State& state, std::vector<GroupRow>& rows) const;
+    struct Samples
+    {
+        std::vector<Sample> points;
+        RowGroup rows; ///< of the points; they share the curve's offset and turn
+    };
+    /// Fills what offset and turn do not follow, one for each point; returns its sum of squares.
+    double residuals(const Samples& curve, const State& state, std::vector<double>& result) const;
 
     int image_;
     double weight_;

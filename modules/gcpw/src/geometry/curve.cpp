@@ -11,13 +11,6 @@ namespace cv
 namespace gcpw
 {
 
-namespace
-{
-
-const double MAX_SAMPLES = 10000; ///< of a curve: no image that fits into memory has longer ones at the default step
-
-} // namespace
-
 double lengthOf(const Curve& curve)
 {
     double length = 0;

@@ -15,6 +15,8 @@ namespace gcpw
 /// An image of a straight edge: its points in order. Straight in a photograph, bent where a sphere or cylinder has bent that.
 typedef std::vector<Point2d> Curve;
 
+const double MAX_SAMPLES = 10000; ///< of a line: no image that fits into memory has longer ones at the default steps
+
 /// Length of the polygon through the points.
 double lengthOf(const Curve& curve);
 

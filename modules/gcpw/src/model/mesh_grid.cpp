@@ -216,12 +216,12 @@ double maxVertexDistance(const MeshGrid& a, const MeshGrid& b)
     return std::sqrt(squared);
 }
 
-MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step, double step_length)
+MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step)
 {
     CV_DbgAssert(step.size() == mesh.vertices().size());
     MeshGrid next = mesh;
     for (size_t i = 0; i < step.size(); ++i)
-        next.vertices()[i] += step_length * step[i];
+        next.vertices()[i] += step[i];
     return next;
 }
 

@@ -79,8 +79,8 @@ bool isInQuad(double u, double v);
 /// Largest move of a vertex between two meshes over one lattice, canvas pixels.
 double maxVertexDistance(const MeshGrid& a, const MeshGrid& b);
 
-/// mesh + step_length * step
-MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step, double step_length);
+/// mesh + step
+MeshGrid moved(const MeshGrid& mesh, const std::vector<Point2d>& step);
 
 } // namespace gcpw
 } // namespace cv

@@ -16,8 +16,8 @@ namespace
 
 const int PATIENCE = 8;    ///< halvings of a vertex before it is stopped
 const int MAX_ROUNDS = 40; ///< then nothing moves
-const double STIFFEN = 5;      ///< factor on the damping of a quad that a step would still fold
-const double MAX_FACTOR = 1e4; ///< a quad this stiff moves as one piece; more would spoil the conditioning
+const double STIFFEN = 12;     ///< factor on the damping of a quad that a step would still fold: a few of them outweigh any term
+const double MAX_FACTOR = 1e5; ///< a quad this stiff moves as one piece; more would spoil the conditioning
 
 } // namespace
 
@@ -29,9 +29,9 @@ FoldConstraint::FoldConstraint(const MeshGrid& rough, double min_ratio, int imag
             bound_.push_back(min_ratio * rough.cornerArea(cell, k));
 }
 
-std::vector<int> FoldConstraint::violated(const MeshGrid& mesh, const std::vector<Point2d>& step, double share) const
+std::vector<int> FoldConstraint::violated(const MeshGrid& mesh, const std::vector<Point2d>& step) const
 {
-    const MeshGrid next = moved(mesh, step, share);
+    const MeshGrid next = moved(mesh, step);
     std::vector<int> cells;
     for (int cell = 0; cell < mesh.lattice().cellCount(); ++cell)
     {

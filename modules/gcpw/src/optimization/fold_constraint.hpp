@@ -25,10 +25,10 @@ public:
     @param image index of the mesh in the equations  @param damping_weight of the similarity of a change, before it is raised */
     FoldConstraint(const MeshGrid& rough, double min_ratio, int image = 0, double damping_weight = 1);
 
-    /** @brief The quads that a step of length `share` (1: the whole step) would bring below the bound.
+    /** @brief The quads that a step would bring below the bound.
 
-    Area is quadratic in the length: a step that is legal as a whole need not be so half way. */
-    std::vector<int> violated(const MeshGrid& mesh, const std::vector<Point2d>& step, double share = 1) const;
+    Area is quadratic in the step: one that is legal as a whole need not be so half way. */
+    std::vector<int> violated(const MeshGrid& mesh, const std::vector<Point2d>& step) const;
 
     /// Shortens the step of the vertices around violated quads, and of no others, until nothing is violated.
     void shorten(const MeshGrid& mesh, std::vector<Point2d>& step) const;

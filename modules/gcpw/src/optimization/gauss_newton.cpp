@@ -72,13 +72,14 @@ SolveStatus GaussNewton::solveColors(Energy& energy, State& state)
     return status;
 }
 
-SolveStatus GaussNewton::constrainedStep(const State& state, MeshStep& step)
+/// A step that folds little, or nothing: quads that it would fold have been made stiffer a few times.
+SolveStatus GaussNewton::stiffenedStep(const State& state, MeshStep& step)
 {
     const std::vector<ColorGrid> colors = colorsOf(state);
     for (int attempt = 0;; ++attempt)
     {
         const SolveStatus status = system_.solveMeshes(colors, step);
-        if (status == SolveStatus::NotPositiveDefinite)
+        if (status == SolveStatus::NotPositiveDefinite || attempt == MAX_STIFFENINGS)
             return status;
         bool any = false;
         for (size_t i = 0; i < state.size(); ++i)
@@ -87,41 +88,26 @@ SolveStatus GaussNewton::constrainedStep(const State& state, MeshStep& step)
                 continue;
             const std::vector<int> cells = constraints_[i].violated(state[i].mesh, step[i]);
             any = any || !cells.empty();
-            if (attempt == MAX_STIFFENINGS)
-                constraints_[i].shorten(state[i].mesh, step[i]);
-            else
-                for (int cell : cells)
-                    constraints_[i].damp(cell, system_);
+            for (int cell : cells)
+                constraints_[i].damp(cell, system_);
         }
-        if (!any || attempt == MAX_STIFFENINGS)
+        if (!any)
             return status;
     }
 }
 
-bool GaussNewton::folds(const State& state, const MeshStep& step, double length) const
+/// Part of a step, shortened further at the quads that it would fold.
+MeshStep GaussNewton::foldFree(const State& state, const MeshStep& step, double length) const
 {
-    for (size_t i = 0; i < state.size(); ++i)
-        if (!problem_.images[i].fixed && !constraints_[i].violated(state[i].mesh, step[i], length).empty())
-            return true;
-    return false;
-}
-
-/// Part of a step, and how far it moves a vertex.
-double GaussNewton::take(const State& state, const MeshStep& step, const std::vector<ColorGrid>& colors, double length,
-                         State& next) const
-{
-    next = state;
-    double motion = 0;
+    MeshStep part = step;
     for (size_t i = 0; i < state.size(); ++i)
     {
-        if (problem_.images[i].fixed)
-            continue;
-        next[i].mesh = moved(state[i].mesh, step[i], length);
-        motion = std::max(motion, maxVertexDistance(next[i].mesh, state[i].mesh));
-        if (colors_)
-            next[i].color = mixed(state[i].color, colors[i], length);
+        for (Point2d& move : part[i])
+            move *= length;
+        if (!problem_.images[i].fixed)
+            constraints_[i].shorten(state[i].mesh, part[i]);
     }
-    return motion;
+    return part;
 }
 
 /// The longest of a few lengths of a step that does not raise the energy; false if there is none.
@@ -131,10 +117,18 @@ bool GaussNewton::search(const Energy& energy, const MeshStep& step, const std::
     double length = 1;
     for (int halving = 0; halving <= MAX_HALVINGS; ++halving, length *= 0.5)
     {
-        if (length < 1 && folds(state, step, length)) // constrainedStep() has looked at the whole step
-            continue;
-        State next;
-        motion = take(state, step, colors, length, next);
+        const MeshStep part = foldFree(state, step, length);
+        State next = state;
+        motion = 0;
+        for (size_t i = 0; i < state.size(); ++i)
+        {
+            if (problem_.images[i].fixed)
+                continue;
+            next[i].mesh = moved(state[i].mesh, part[i]);
+            motion = std::max(motion, maxVertexDistance(next[i].mesh, state[i].mesh));
+            if (colors_)
+                next[i].color = mixed(state[i].color, colors[i], length);
+        }
         found = energy.evaluate(next);
         if (totalEnergy(found) <= before)
         {
@@ -165,9 +159,9 @@ GaussNewton::End GaussNewton::run(Energy& energy, State& state, const Rules& rul
         std::vector<ColorGrid> colors = colorsOf(state);
         // NotConverged is an answer here: conjugate gradients from zero lower the energy with every iteration, and the line
         // search checks the step.
-        if (constrainedStep(state, step) == SolveStatus::NotPositiveDefinite)
+        if (stiffenedStep(state, step) == SolveStatus::NotPositiveDefinite)
             return End::Singular;
-        if (rules.colors && system_.solveColorsAfter(step, colors) == SolveStatus::NotPositiveDefinite)
+        if (rules.colors && system_.solveColorsAfter(foldFree(state, step, 1), colors) == SolveStatus::NotPositiveDefinite)
             return End::Singular;
         ++report.iterations;
         report.stop = StopReason::NO_DESCENT;

@@ -52,9 +52,8 @@ public:
 
 private:
     std::vector<TermEnergy> linearize(Energy& energy, const State& state);
-    SolveStatus constrainedStep(const State& state, MeshStep& step);
-    bool folds(const State& state, const MeshStep& step, double length) const;
-    double take(const State& state, const MeshStep& step, const std::vector<ColorGrid>& colors, double length, State& next) const;
+    SolveStatus stiffenedStep(const State& state, MeshStep& step);
+    MeshStep foldFree(const State& state, const MeshStep& step, double length) const;
     bool search(const Energy& energy, const MeshStep& step, const std::vector<ColorGrid>& colors, double before, State& state,
                 std::vector<TermEnergy>& found, double& motion) const;
 

@@ -41,7 +41,7 @@ MatchFilterStatus filterMatches(std::vector<PointMatch>& matches, MeshGrid& movi
             matches.clear();
             return MatchFilterStatus::Unsolved;
         }
-        mesh = moved(mesh, step[0], 1);
+        mesh = moved(mesh, step[0]);
         if (scale <= schedule.end_px)
             break;
     }

@@ -31,9 +31,13 @@ SolveStatus conjugateGradient(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, Mu
     Eigen::VectorXd z(rhs.size());
     precondition(rhs, z);
     const double stop = tolerance * tolerance * rhs.dot(z);
-    multiply(x, q);
-    Eigen::VectorXd r = rhs - q;
-    precondition(r, z);
+    Eigen::VectorXd r = rhs;
+    if (!x.isZero(0))
+    {
+        multiply(x, q);
+        r -= q;
+        precondition(r, z);
+    }
     Eigen::VectorXd p = z;
     double rz = r.dot(z);
     for (int iteration = 0; rz > stop && iteration < max_iterations; ++iteration)

@@ -54,9 +54,9 @@ public:
     {
         blocks_.push_back({quad, block, gradient, energy});
     }
-    void addGroup(int image, const std::vector<GroupRow>& rows, double weight) override
+    void addGroup(int image, const RowGroup& group, const std::vector<double>& residuals, double weight) override
     {
-        groups_.push_back({image, rows, weight});
+        groups_.push_back({image, &group, residuals, weight});
     }
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override { photometric_.push_back({quad, block}); }
     void addCross(QuadId a, QuadId b, const CrossBlock& block) override { cross_.push_back({a, b, block}); }
@@ -77,7 +77,7 @@ public:
         for (const Block& item : blocks_)
             equations.addBlock(item.quad, item.block, item.gradient, item.energy);
         for (const Group& item : groups_)
-            equations.addGroup(item.image, item.rows, item.weight);
+            equations.addGroup(item.image, *item.group, item.residuals, item.weight);
         for (const Photometric& item : photometric_)
             equations.addPhotometric(item.quad, item.block);
         for (const Cross& item : cross_)
@@ -108,7 +108,8 @@ private:
     struct Group
     {
         int image;
-        std::vector<GroupRow> rows;
+        const RowGroup* group;
+        std::vector<double> residuals;
         double weight;
     };
     struct Difference

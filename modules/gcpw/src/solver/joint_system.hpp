@@ -31,7 +31,10 @@ public:
     void addRow(QuadId a, const QuadRow& row_a, QuadId b, const QuadRow& row_b, double residual,
                 double weight) override;
     void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) override;
-    void addGroup(int image, const std::vector<GroupRow>& rows, double weight) override { meshes_.addGroup(image, rows, weight); }
+    void addGroup(int image, const RowGroup& group, const std::vector<double>& residuals, double weight) override
+    {
+        meshes_.addGroup(image, group, residuals, weight);
+    }
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override;
     void addCross(QuadId a, QuadId b, const CrossBlock& block) override;
     void addColorDifference(QuadId a, QuadId b, const ColorBlock& block) override { colors_.addColorDifference(a, b, block); }

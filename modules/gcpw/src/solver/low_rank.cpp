@@ -3,9 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "solver/low_rank.hpp"
 
-#include <algorithm>
-#include <cstddef>
-
 namespace cv
 {
 namespace gcpw
@@ -17,18 +14,10 @@ void LowRank::clear()
     ends_.clear();
 }
 
-void LowRank::endColumn()
+void LowRank::add(const SparseColumn& column, double factor)
 {
-    const auto first = entries_.begin() + static_cast<std::ptrdiff_t>(begin_);
-    std::stable_sort(first, entries_.end(), [](const Entry& a, const Entry& b) { return a.index < b.index; });
-    auto last = first;
-    for (auto entry = first; entry != entries_.end(); ++entry)
-        if (entry != first && entry->index == last->index)
-            last->value += entry->value;
-        else
-            *(entry == first ? last : ++last) = *entry;
-    if (first != entries_.end())
-        entries_.erase(last + 1, entries_.end());
+    for (const SparseEntry& entry : column)
+        entries_.push_back({entry.index, factor * entry.value});
     ends_.push_back(entries_.size());
 }
 

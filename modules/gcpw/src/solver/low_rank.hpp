@@ -12,31 +12,30 @@ namespace cv
 namespace gcpw
 {
 
+struct SparseEntry
+{
+    int index;
+    double value;
+};
+
+typedef std::vector<SparseEntry> SparseColumn; ///< each index at most once
+
 /// A matrix U U^T of sparse columns.
 class LowRank
 {
 public:
     void clear();
     bool empty() const { return ends_.empty(); }
-    int rank() const { return static_cast<int>(ends_.size()); }
 
-    void beginColumn() { begin_ = entries_.size(); }
-    /// Several entries of one index are added up by endColumn().
-    void add(int index, double value) { entries_.push_back({index, value}); }
-    void endColumn();
+    /// Adds the column factor * column to U.
+    void add(const SparseColumn& column, double factor);
 
     /// out -= U U^T in
     void subtractProduct(const Eigen::Ref<const Eigen::VectorXd>& in, Eigen::Ref<Eigen::VectorXd> out) const;
 
 private:
-    struct Entry
-    {
-        int index;
-        double value;
-    };
-    std::vector<Entry> entries_;
+    SparseColumn entries_;     ///< of all columns, one after the other
     std::vector<size_t> ends_; ///< of every column in entries_
-    size_t begin_ = 0;
 };
 
 } // namespace gcpw

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core/utility.hpp>
-#include "solver/projected_rows.hpp"
 #include "solver/quad_matrix.hpp"
 
 namespace cv
@@ -16,7 +15,6 @@ namespace gcpw
 
 namespace
 {
-
 const int CG_MAX_ITERATIONS = 200;
 
 } // namespace
@@ -73,23 +71,15 @@ void MeshSystem::addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gr
         matrices_[quad.image]->addBlock(quad.cell, block, gradient);
 }
 
-void MeshSystem::addGroup(int image, const std::vector<GroupRow>& rows, double weight)
+void MeshSystem::addGroup(int image, const RowGroup& group, const std::vector<double>& residuals, double weight)
 {
     if (!matrices_[image])
         return;
-    QuadMatrix& matrix = *matrices_[image];
-    const ProjectedRows projected = projectOut(rows);
-    for (size_t k = 0; k < rows.size(); ++k)
-        matrix.addRow(rows[k].cell, rows[k].row, projected.residuals[k], weight);
-    // The rows count fully above; what their own unknowns can follow is taken off again: - w (N^T q) (N^T q)^T.
-    for (const std::vector<double>& q : projected.basis)
-    {
-        groups_[image].beginColumn();
-        for (size_t k = 0; k < rows.size(); ++k)
-            for (int i = 0; i < 8; ++i)
-                groups_[image].add(matrix.column(rows[k].cell, i), std::sqrt(weight) * q[k] * rows[k].row[i]);
-        groups_[image].endColumn();
-    }
+    for (size_t k = 0; k < residuals.size(); ++k)
+        matrices_[image]->addRow(group.rows()[k].cell, group.rows()[k].row, residuals[k], weight);
+    // The rows count fully above; what their own unknowns follow is taken off again.
+    for (const SparseColumn& column : group.followed())
+        groups_[image].add(column, std::sqrt(weight));
 }
 
 void MeshSystem::addPhotometric(QuadId quad, const PhotometricBlock& block)

@@ -40,7 +40,7 @@ public:
     void addRow(QuadId a, const QuadRow& row_a, QuadId b, const QuadRow& row_b, double residual,
                 double weight) override;
     void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) override;
-    void addGroup(int image, const std::vector<GroupRow>& rows, double weight) override;
+    void addGroup(int image, const RowGroup& group, const std::vector<double>& residuals, double weight) override;
     /// Takes the mesh part only.
     void addPhotometric(QuadId quad, const PhotometricBlock& block) override;
     /// Takes the mesh part only.

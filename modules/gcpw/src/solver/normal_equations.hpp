@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 #include "model/color_grid.hpp"
+#include "solver/row_group.hpp"
 
 namespace cv
 {
@@ -19,9 +20,6 @@ struct QuadId
     int image = -1;
     int cell = -1;
 };
-
-/// A row of the Jacobian over the eight coordinates of a quad's corners: x0, y0, x1, .. y3.
-typedef std::array<double, 8> QuadRow;
 
 /// A symmetric 8 x 8 block over the same unknowns; only its upper triangle is used unless said otherwise.
 typedef std::array<std::array<double, 8>, 8> QuadBlock;
@@ -71,15 +69,6 @@ struct CrossBlock : CrossColor
     QuadRow mesh_gradient{}; ///< of the target
 };
 
-/// One of many rows of an image that share two unknowns of their own.
-struct GroupRow
-{
-    int cell = -1;
-    QuadRow row{};
-    double residual = 0;
-    std::array<double, 2> shared{}; ///< how the residual depends on the unknowns that the rows share
-};
-
 /// Receives quadratic energies of mesh vertices. Rows of an image that is fixed are dropped by the receiver.
 class MeshEquations
 {
@@ -96,10 +85,9 @@ public:
     /// energy + 2 gradient . d + d^T block d
     virtual void addBlock(QuadId quad, const QuadBlock& block, const QuadRow& gradient, double energy) = 0;
 
-    /** @brief The least of weight * sum_k (residual_k + row_k . d + shared_k . z)^2 over z, two unknowns of the group alone.
-
-    They are eliminated exactly, so that the group does not resist what they can follow (variable projection). */
-    virtual void addGroup(int image, const std::vector<GroupRow>& rows, double weight) = 0;
+    /** @brief The least of weight * sum_k (residual_k + row_k . d + shared_k . z)^2 over z, the unknowns of the group alone.
+    @param group outlives the equations' use of it  @param residuals one for each row, as RowGroup::project() leaves them */
+    virtual void addGroup(int image, const RowGroup& group, const std::vector<double>& residuals, double weight) = 0;
 };
 
 /// Receives quadratic energies of colours, in their values rather than in a step from the present ones.

@@ -8,6 +8,7 @@
 #include <exception>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
+#include "cameras/picture_shape.hpp"
 #include "rendering/remap_tiled.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/seam_rotation.hpp"
@@ -29,18 +30,6 @@ const double MAX_MOVE = 0.5;      ///< of the larger side of an image: a mesh th
 const double MAX_PLACE = 1e9;     ///< px from the canvas's origin: corners are int
 const double WORK_SLACK = 2;      ///< the canvas may have this many times workMegapix before it is scaled down once more
 const double WHOLE_CIRCLE = 0.95; ///< fraction of the period from which on the canvas may close
-
-float medianFocal(const std::vector<cv::detail::CameraParams>& cameras)
-{
-    std::vector<double> focals;
-    for (const cv::detail::CameraParams& camera : cameras)
-        focals.push_back(camera.focal);
-    std::sort(focals.begin(), focals.end());
-    const size_t half = focals.size() / 2;
-    // As cv::Stitcher has it, rounding included.
-    return focals.size() % 2 == 1 ? static_cast<float>(focals[half])
-                                  : static_cast<float>(focals[half - 1] + focals[half]) * 0.5F;
-}
 
 /// The photographs on the base warper's canvas.
 struct Canvas
