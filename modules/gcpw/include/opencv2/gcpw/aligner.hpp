@@ -59,6 +59,7 @@ public:
 
     /** @brief Makes an aligner.
     @param params kept as a copy
+    @return the aligner, never empty
     @throws cv::Exception if params are out of range */
     CV_WRAP static Ptr<Aligner> create(const Params& params = Params());
 
@@ -66,7 +67,7 @@ public:
 
     The first three arguments are those of cv::detail::ExposureCompensator::feed.
     @param corners canvas position of the top-left pixel of each image; moving all of them by the same vector moves the result by it
-    @param images two or more, 8-bit BGR, gray or BGRA
+    @param images two or more, CV_8UC3 (BGR), CV_8UC1 or CV_8UC4, each at least 1 x 1 px
     @param masks CV_8UC1 of the same sizes, non-zero inside; an empty vector means everywhere
     @param correspondences matches known already; if there are any, no others are looked for, also not for other pairs
     @param progress may be empty; cancelling returns the rough alignment with Status::CANCELLED
@@ -81,10 +82,16 @@ public:
                             const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>(),
                             const std::vector<KnownLines>& lines = std::vector<KnownLines>()) = 0;
 
-    /// The same with nothing known beforehand.
+    /** @overload
+    @param corners canvas position of the top-left pixel of each image
+    @param images two or more, 8-bit BGR, gray or BGRA
+    @param masks CV_8UC1 of the same sizes, non-zero inside; an empty vector means everywhere
+    @return as above, with nothing known beforehand
+    @throws cv::Exception as above */
     CV_WRAP Alignment align(const std::vector<Point>& corners, InputArrayOfArrays images, InputArrayOfArrays masks);
 
     /// What create() was given.
+    /// @return the aligner's own copy, valid as long as the aligner
     CV_WRAP virtual const Params& params() const = 0;
 };
 

@@ -37,10 +37,12 @@ struct CV_EXPORTS TermEnergy
     std::string name; //!< "photometric", "points", "lines", "similarity", "color_smoothness", ..
     double value;     //!< of the whole level
 
+    /// @param term name of the terms  @param energy their weighted sum, >= 0
     explicit TermEnergy(const std::string& term = std::string(), double energy = 0) : name(term), value(energy) {}
 };
 
 /// The sum of all.
+/// @param energies of one level  @return sum of their values, >= 0
 CV_EXPORTS double totalEnergy(const std::vector<TermEnergy>& energies);
 
 /// Why the iterations on a level ended.
@@ -71,10 +73,11 @@ struct CV_EXPORTS LevelReport
 /// How well two images line up; lower is better, 0 is perfect, NaN where nothing could be compared.
 struct CV_EXPORTS_W_SIMPLE Score
 {
+    /// Perfect: both are 0.
     CV_WRAP Score() : ncc(0), zncc(0) {}
 
-    CV_PROP_RW double ncc;  //!< 100 * RMS of 1 - NCC over 5 x 5 windows, the paper's measure
-    CV_PROP_RW double zncc; //!< 100 * RMS of 1 - zero-mean NCC over windows with texture in both images
+    CV_PROP_RW double ncc;  //!< 100 * RMS of 1 - NCC over windows of 5 x 5 px, the paper's measure: 0..100
+    CV_PROP_RW double zncc; //!< 100 * RMS of 1 - zero-mean NCC over windows of 5 x 5 px with texture in both images: 0..200
 };
 
 /// What was found between two images.
@@ -102,6 +105,7 @@ struct CV_EXPORTS Timings
 /// How an alignment came about.
 struct CV_EXPORTS_W_SIMPLE Report
 {
+    /// Status::OK, no change of mesh or colour.
     CV_WRAP Report() : status(Status::OK), folds(0), max_displacement_px(0), gain_min(1), gain_max(1) {}
 
     CV_PROP_RW Status status;       //!< how it ended
@@ -121,6 +125,7 @@ A mesh of cols x rows quads of equal size covers the image; vertex (r, c) lies a
 (r / rows) * work_size.height - 0.5) of the image, in working pixels. */
 struct CV_EXPORTS_W_SIMPLE AlignedImage
 {
+    /// Without sizes, mesh and colours: to be filled in.
     CV_WRAP AlignedImage() {}
 
     CV_PROP_RW Size full_size; //!< pixels of the image as it was given, 1 x 1 or more
@@ -150,30 +155,37 @@ public:
     /// No images, Status::OK.
     CV_WRAP Alignment() {}
 
-    /** @param images none, or images with sizes of at least 1 px, 2..256 quads a side and finite values
+    /** @brief Images with a mesh and colours each.
+    @param images none, or images with sizes of at least 1 px, 2..256 quads a side and finite values
     @param canvas_scale see canvasScale(), finite and > 0
     @param report how they came about
     @throws cv::Exception that names the image and the part of it that is not as described at AlignedImage */
     Alignment(const std::vector<AlignedImage>& images, Size2d canvas_scale, const Report& report);
 
-    /// Whether the images were refined as asked: Status::OK.
+    /// Whether the images were refined as asked.
+    /// @return whether the status of the report is Status::OK
     CV_WRAP bool ok() const { return report_.status == Status::OK; }
 
-    /// 0 if there is no alignment at all.
+    /// Number of images.
+    /// @return 0 if there is no alignment at all
     CV_WRAP int imageCount() const { return static_cast<int>(images_.size()); }
 
     /** @brief One image; its Mats are shared with the alignment: clone them before you write.
     @param index 0..imageCount() - 1, in the order in which the images were given
+    @return the alignment's own, valid as long as the alignment
     @throws cv::Exception StsOutOfRange if there is no such image */
     CV_WRAP const AlignedImage& image(int index) const;
 
-    /// Working canvas pixels per full-resolution canvas pixel, x and y.
+    /// Scale of the canvas on which the meshes are given.
+    /// @return working canvas pixels per full-resolution canvas pixel, in x and in y, > 0
     Size2d canvasScale() const { return canvas_scale_; }
 
     /// How it came about, and how well.
+    /// @return the alignment's own, valid as long as the alignment
     CV_WRAP const Report& report() const { return report_; }
 
-    /// The same images where the rough alignment has them, colours unchanged.
+    /// The alignment before refinement.
+    /// @return the same images where the rough alignment has them, with gains of 1 and biases of 0
     CV_WRAP Alignment rough() const;
 
     /** @brief Writes everything that rendering needs. Numbers are kept exactly.
@@ -186,6 +198,7 @@ public:
     Damaged files are refused, also where OpenCV's parser would crash; of compressed ones (.gz) it reads whatever they hold, so that
     these should come from somebody you trust.
     @param path of the file
+    @return equal to what was saved
     @throws cv::Exception StsError if there is no such file, StsParseError if it is not an alignment; both name the file */
     CV_WRAP static Alignment load(const std::string& path);
 

@@ -22,6 +22,7 @@ namespace gcpw
 /// How estimateCameras() looks for cameras.
 struct CV_EXPORTS CameraOptions
 {
+    /// The defaults.
     CameraOptions();
 
     /// Resolution of features and cameras, million pixels, more than 0: that of Stitcher::registrationResol(). Default 0.6.
@@ -40,6 +41,7 @@ struct CV_EXPORTS CameraOptions
 /** @brief Cameras and a projection for a set of photographs, and why these. */
 struct CV_EXPORTS CameraEstimate
 {
+    /// Without cameras: not ok().
     CameraEstimate() : work_scale(1), turned(false) {}
 
     std::vector<int> component;                    //!< which of the photographs have a camera, 0-based, ascending
@@ -55,9 +57,11 @@ struct CV_EXPORTS CameraEstimate
         decisions; //!< one sentence for each choice that was made, in order; the reason if there are no cameras
 
     /// Whether there are cameras.
+    /// @return false if no two photographs match; the last of `decisions` says why
     bool ok() const { return !cameras.empty(); }
 
     /// The warper of `projection`.
+    /// @return its creator, e.g. cv::SphericalWarper
     Ptr<WarperCreator> warper() const;
 };
 
@@ -83,6 +87,7 @@ stitcher->composePanorama(picture);
 
 @param photographs two or more, 8-bit BGR, BGRA or gray
 @param options see there
+@return the cameras, or none and the reason in CameraEstimate::decisions
 @throws cv::Exception if photographs are too few, empty or not of 8 bits, or options are out of range */
 CV_EXPORTS CameraEstimate estimateCameras(InputArrayOfArrays photographs,
                                           const CameraOptions& options = CameraOptions());

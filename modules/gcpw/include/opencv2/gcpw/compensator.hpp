@@ -36,7 +36,8 @@ for (size_t i = 0; i < images.size(); ++i)
 class CV_EXPORTS_W GcpwCompensator : public cv::detail::ExposureCompensator
 {
 public:
-    /** @param params meshCols, meshRows, sampleStep, referenceImage, photometricWeight, colorSmoothnessWeight, colorRestWeight and
+    /** @brief A compensator without colours.
+    @param params meshCols, meshRows, sampleStep, referenceImage, photometricWeight, colorSmoothnessWeight, colorRestWeight and
     balanceWeight are used
     @throws cv::Exception if params are out of range */
     CV_WRAP explicit GcpwCompensator(const Params& params = Params());
@@ -75,7 +76,8 @@ public:
     @param fallback may be empty: then feed() estimates the colours */
     CV_WRAP void setFallback(const Ptr<cv::detail::ExposureCompensator>& fallback) { fallback_ = fallback; }
 
-    /// May be empty.
+    /// The compensator of setFallback().
+    /// @return may be empty
     CV_WRAP Ptr<cv::detail::ExposureCompensator> fallback() const { return fallback_; }
 
 private:

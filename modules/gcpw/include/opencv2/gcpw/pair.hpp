@@ -39,7 +39,9 @@ CV_EXPORTS_W Alignment alignPair(InputArray source, InputArray target, const Par
 /** @overload
 @param source, target as above
 @param params as above
-@param progress may be empty; cancelling returns Status::CANCELLED */
+@param progress may be empty; cancelling returns Status::CANCELLED
+@return as above
+@throws cv::Exception as above */
 CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const Params& params, const Progress& progress);
 
 /** @brief The same with matches that are known already.
@@ -51,6 +53,7 @@ were matched: then the pixels are compared as the copies show them, and renderPa
 Method::GLOBAL only the homography
 @param params as above; those of matching are ignored
 @param progress may be empty; cancelling returns Status::CANCELLED
+@return as above; its report counts the matches used
 @throws cv::Exception also if sizes, counts or values of the matches are not as PairMatches says, before any work */
 CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const PairMatches& matches, const Params& params = Params(),
                                const Progress& progress = Progress());
@@ -78,6 +81,7 @@ enum class View
 /// Both photographs on one canvas, in pixels of its view; all images and masks have one size.
 struct CV_EXPORTS_W_SIMPLE PairCanvas
 {
+    /// Empty.
     CV_WRAP PairCanvas() {}
 
     CV_PROP_RW Mat source;           //!< warped source, colours unchanged, CV_8UC3; black outside its mask
@@ -95,6 +99,7 @@ struct CV_EXPORTS_W_SIMPLE PairCanvas
 @param source the aligned source or a recoloured copy of the same size
 @param target the target or a recoloured copy of the same size
 @param view from where both are seen. Scores of different alignments compare only in View::TARGET
+@return both photographs on a canvas that holds all of their pixels
 @throws cv::Exception if sizes do not fit, or if the canvas would exceed 32766 px a side or 400 Mpx */
 CV_EXPORTS_W PairCanvas renderPair(const Alignment& alignment, InputArray source, InputArray target, View view = View::TARGET);
 
@@ -106,11 +111,16 @@ CV_EXPORTS_W PairCanvas renderPair(const Alignment& alignment, InputArray source
 CV_EXPORTS_W void blendPair(const PairCanvas& canvas, Blend blend, OutputArray picture);
 
 /** @overload
-@return the picture */
+@param canvas from renderPair()
+@param blend how
+@return the picture, CV_8UC3 of the canvas's size
+@throws cv::Exception if the canvas is empty */
 CV_EXPORTS Mat blendPair(const PairCanvas& canvas, Blend blend);
 
 /** @brief How well the images agree in the overlap of a canvas, at its own resolution, the source with its colours unchanged.
-@param canvas from renderPair() */
+@param canvas from renderPair(), best in View::TARGET
+@return see Score; NaN where the photographs do not overlap or nothing in the overlap has texture
+@throws cv::Exception if the canvas is empty */
 CV_EXPORTS_W Score scorePair(const PairCanvas& canvas);
 
 /** @brief alignPair(), renderPair() and blendPair() in one call.

@@ -56,12 +56,14 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief The constants of section 2 of the paper, and iterations until the mesh is stable.
 
     All additions that a member can switch off are off. What stays: matches are filtered, no quad folds (minQuadArea), and the
-    result is compared with the rough alignment. */
+    result is compared with the rough alignment.
+    @return parameters that pass check() */
     CV_WRAP static Params paper();
 
     /** @brief The weights for the closest alignment of the overlap, whatever it does to lines and shapes.
 
-    straightnessWeight, outsideWeight and stretchLimit are 0, similarityWeight is 0.2; everything else as by default. */
+    straightnessWeight, outsideWeight and stretchLimit are 0, similarityWeight is 0.2; everything else as by default.
+    @return parameters that pass check() */
     CV_WRAP static Params alignmentOnly();
 
     /** @brief Looks at all members; called by every function that takes Params.
@@ -77,14 +79,17 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     /** @brief Value of a numeric member by its name.
     @param name one of names()
+    @return the value; of a member that is an int, the same number
     @throws cv::Exception StsBadArg if there is no such member */
     CV_WRAP double get(const std::string& name) const;
 
-    /// Names of all numeric members (all but method), in the order of their declaration.
+    /// Names of all numeric members.
+    /// @return all but "method", in the order of their declaration
     CV_WRAP static std::vector<std::string> names();
 
     //! @name What is estimated
     //! @{
+
     /// Which terms of the energy are used. GcpwCompensator ignores it; findPairMatches() finds the matches of all methods.
     /// default GCPW
     CV_PROP_RW Method method;
@@ -106,6 +111,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name Canvas
     //! @{
+
     /// Pixels of the canvas given to Aligner::align() after which x repeats: the full circle of a 360-degree panorama, at
     /// least the width of the widest image. 0: x never repeats. alignRig() and attach() replace it by their own, alignPair()
     /// and GcpwCompensator ignore it. default 0
@@ -114,6 +120,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name Weights of the terms (eq. totalfunction)
     //! @{
+
     /// lambda_1, weight of a squared difference of intensities at one sample (eq. phototerm), >= 0. Larger values let pixels
     /// overrule matches. Typical: 50..200. default 100
     CV_PROP_RW double photometricWeight;
@@ -149,6 +156,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name Sampling
     //! @{
+
     /// Pixels from one sample to the next, in x and in y, on every pyramid level, 1..64. Smaller values use more of the image
     /// and take up to quadratically longer. Typical: 1..4; the paper has 3. default 2
     CV_PROP_RW int sampleStep;
@@ -162,6 +170,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name Iteration
     //! @{
+
     /// Gauss-Newton iterations a pyramid level, 1..1000. Few levels need more than the default. default 10
     CV_PROP_RW int maxIterations;
     /// A level ends when no vertex moves farther in one iteration: pixels of that level, > 0. Larger values stop sooner.
@@ -174,6 +183,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name Additions to the paper
     //! @{
+
     /// Standard deviation of the noise in intensities, 0..1. A sample is weighted by 0.01 / (v + contrastFloor^2), where v is the
     /// local variance of luma and 0.01 its typical value: low-contrast texture then counts as much as strong edges. Smaller
     /// values trust fainter texture, larger ones approach equal weights for all samples; 0 means exactly equal weights of 1.
@@ -219,6 +229,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     //! @name Matching
     //! @{
+
     /// Contrast threshold of cv::SIFT, in (0, 1]; OpenCV's own default is 0.04. Smaller values find more and weaker keypoints.
     /// Ignored where keypoints or matches are given. Typical: 0.003..0.04. default 0.005
     CV_PROP_RW double contrastThreshold;

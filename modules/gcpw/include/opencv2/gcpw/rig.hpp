@@ -46,7 +46,8 @@ struct CV_EXPORTS_W_SIMPLE Rig
     /** @brief Whether there is a refinement to render: status OK, meshes, and nothing that check() refuses.
 
     Whatever takes a rig (GcpwWarper, GcpwRotationWarper, StitcherBinding) goes on without one that is not usable, and logs what is
-    wrong where check() would throw. */
+    wrong where check() would throw.
+    @return whether meshes and colours of this rig would be shown */
     CV_WRAP bool usable() const;
 
     /** @brief Refuses a rig that says it is refined but cannot be rendered; one without a refinement always passes.
@@ -59,7 +60,8 @@ struct CV_EXPORTS_W_SIMPLE Rig
     CV_WRAP void check() const;
 
     /** @brief Whether these are the cameras of the rig: intrinsics and rotations equal bit for bit (R as CV_32F).
-    @param others cameras at the resolution of the rig's */
+    @param others cameras at the resolution of the rig's
+    @return false also if they are more or fewer */
     CV_WRAP bool fits(const std::vector<cv::detail::CameraParams>& others) const;
 
     /** @brief Writes everything to a file. Numbers are kept exactly.
@@ -72,6 +74,7 @@ struct CV_EXPORTS_W_SIMPLE Rig
     Damaged files are refused, also where OpenCV's parser would crash; of compressed ones (.gz) it reads whatever they hold, so that
     these should come from somebody you trust.
     @param path of the file
+    @return equal to what was saved
     @throws cv::Exception StsError if there is no such file, StsParseError if it is not a rig; both name the file */
     CV_WRAP static Rig load(const std::string& path);
 };
@@ -93,10 +96,12 @@ CV_EXPORTS Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail:
                         const std::vector<KnownKeypoints>& keypoints = std::vector<KnownKeypoints>());
 
 /** @brief alignRig() with a base warper by its name, for languages without cv::WarperCreator: alignRig in Python.
-@param images, cameras, params as above
+@param images, cameras as above
+@param params as above
 @param warper a name that cv::PyRotationWarper knows: "plane", "affine", "cylindrical", "spherical", "fisheye", "stereographic",
 "compressedPlaneA2B1", "compressedPlaneA1.5B1", "compressedPlanePortraitA2B1", "compressedPlanePortraitA1.5B1", "paniniA2B1",
 "paniniA1.5B1", "paniniPortraitA2B1", "paniniPortraitA1.5B1", "mercator" or "transverseMercator"
+@return as above
 @throws cv::Exception also StsBadArg if there is no warper of that name */
 CV_EXPORTS_AS(alignRig) Rig alignRigByName(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras,
                                            const String& warper, const Params& params = Params());

@@ -40,7 +40,8 @@ and counts calls. */
 class CV_EXPORTS GcpwRotationWarper : public cv::detail::RotationWarper
 {
 public:
-    /** @param base warper at the scale that this one is to have
+    /** @brief The base warper followed by the meshes of a rig.
+    @param base warper at the scale that this one is to have
     @param rig what to put behind it; one that is not usable() leaves the base warper; one that Rig::check()
     refuses is logged
     @throws cv::Exception StsNullPtr if there is no base */
@@ -50,12 +51,15 @@ public:
     /** @brief Canvas position of a point of an image.
     @param pt pixels of the image
     @param K, R its camera
+    @return pixels of the canvas
     @throws cv::Exception if K or R is not 3 x 3 or not finite; so do all members */
     Point2f warpPoint(const Point2f& pt, InputArray K, InputArray R) CV_OVERRIDE;
 
     /** @brief Point of an image at a canvas position; beside the mesh it is extrapolated from the border.
     @param pt pixels of the canvas
-    @param K, R the image's camera */
+    @param K, R the image's camera
+    @return pixels of the image; may lie beside it
+    @throws cv::Exception see warpPoint() */
     Point2f warpPointBackward(const Point2f& pt, InputArray K, InputArray R) CV_OVERRIDE;
 
     /** @brief Maps for cv::remap.
@@ -92,13 +96,16 @@ public:
     /** @brief Canvas pixels that an image covers.
     @param src_size of the image
     @param K, R its camera
+    @return the smallest rectangle with all of them: corner and size of what warp() makes
     @throws cv::Exception StsOutOfRange if a side would exceed 32766 px */
     Rect warpRoi(Size src_size, InputArray K, InputArray R) CV_OVERRIDE;
 
-    /// Scale of the base warper: pixels of the canvas per radian, or per pixel for the affine one.
+    /// Scale of the base warper.
+    /// @return pixels of the canvas per radian, or per pixel for the affine one
     float getScale() const CV_OVERRIDE;
 
-    /// Also sets the scale of the base warper. @param scale > 0
+    /// Also sets the scale of the base warper.
+    /// @param scale pixels of the canvas per radian, > 0
     void setScale(float scale) CV_OVERRIDE;
 
 private:
@@ -120,21 +127,52 @@ corner, picture = warper.warp(images[0], K, rig.cameras[0].R, cv2.INTER_LINEAR, 
 class CV_EXPORTS_W PyGcpwWarper
 {
 public:
-    /** @param warper a name that alignRig() knows
+    /** @brief A warper of this name followed by the meshes of a rig.
+    @param warper a name that alignRig() knows
     @param scale of the base warper, > 0
     @param rig see GcpwRotationWarper
     @throws cv::Exception StsBadArg if there is no warper of that name, or see Rig::check() */
     CV_WRAP PyGcpwWarper(const String& warper, float scale, const Rig& rig = Rig());
 
-    CV_WRAP Point2f warpPoint(const Point2f& pt, InputArray K, InputArray R); //!< see GcpwRotationWarper, as all members
+    /// See GcpwRotationWarper::warpPoint().
+    /// @param pt pixels of the image  @param K, R its camera, 3 x 3
+    /// @return pixels of the canvas
+    CV_WRAP Point2f warpPoint(const Point2f& pt, InputArray K, InputArray R);
+
+    /// See GcpwRotationWarper::warpPointBackward().
+    /// @param pt pixels of the canvas  @param K, R the image's camera
+    /// @return pixels of the image
     CV_WRAP Point2f warpPointBackward(const Point2f& pt, InputArray K, InputArray R);
+
+    /// See GcpwRotationWarper::buildMaps().
+    /// @param src_size of the image  @param K, R its camera  @param xmap, ymap CV_32FC1, pixel of the image for each of the canvas
+    /// @return from the top-left to the bottom-right pixel, one less than the maps' size
     CV_WRAP Rect buildMaps(Size src_size, InputArray K, InputArray R, OutputArray xmap, OutputArray ymap);
+
+    /// See GcpwRotationWarper::warp().
+    /// @param src of any type that cv::remap takes  @param K, R its camera  @param interp_mode, border_mode see cv::remap
+    /// @param dst of src's type and the size that warpRoi() gives
+    /// @return canvas position of its top-left pixel
     CV_WRAP Point warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, CV_OUT OutputArray dst);
+
+    /// See GcpwRotationWarper::warpBackward().
+    /// @param src picture of the canvas, of the size that warpRoi() gives for dst_size  @param K, R the image's camera
+    /// @param interp_mode, border_mode see cv::remap  @param dst_size of the image  @param dst the image, of src's type
     CV_WRAP void warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, Size dst_size,
                               CV_OUT OutputArray dst);
+
+    /// See GcpwRotationWarper::warpRoi().
+    /// @param src_size of the image  @param K, R its camera
+    /// @return canvas pixels that the image covers
     CV_WRAP Rect warpRoi(Size src_size, InputArray K, InputArray R);
+
+    /// Scale of the base warper.
+    /// @return pixels of the canvas per radian, or per pixel for the affine one
     CV_WRAP float getScale() const;
-    CV_WRAP void setScale(float scale); //!< @param scale > 0
+
+    /// Also sets the scale of the base warper.
+    /// @param scale pixels of the canvas per radian, > 0
+    CV_WRAP void setScale(float scale);
 
 private:
     Ptr<GcpwRotationWarper> warper_;

@@ -26,8 +26,9 @@ class CV_EXPORTS_W StitcherBinding
 public:
     virtual ~StitcherBinding() = default;
 
-    /// The present rig, valid until the next estimation; its alignment's report says how it came about, or why the plain warper
-    /// was used instead.
+    /// The present rig.
+    /// @return valid until the next estimation; its alignment's report says how it came about, or why the plain warper was used
+    /// instead
     CV_WRAP virtual const Rig& rig() const = 0;
 
     /** @brief Sets a rig estimated before, by this or another process. Used as long as Rig::fits() the stitcher's cameras.
@@ -39,11 +40,13 @@ public:
     @param images the photographs as given to the stitcher, one for each camera */
     CV_WRAP virtual void setImages(InputArrayOfArrays images) = 0;
 
-    /// How often the alignment was estimated so far; does not rise while a rig is reused.
+    /// How often the alignment was estimated so far.
+    /// @return 0 or more; does not rise while a rig is reused
     CV_WRAP virtual int estimations() const = 0;
 
-    /** @brief Parts of the stitcher that were replaced after attach(): "warper", "exposure compensator", "features finder",
-    "features matcher". Empty if GCPW is attached as a whole, or the stitcher is gone. */
+    /** @brief Parts of the stitcher that were replaced after attach().
+    @return "warper", "exposure compensator", "features finder", "features matcher", or some of them; empty if GCPW is attached as a
+    whole, or the stitcher is gone */
     CV_WRAP virtual std::vector<std::string> replacedParts() const = 0;
 };
 
@@ -77,13 +80,16 @@ warper is used, unless StitcherBinding::setImages() or setRig() was called.
 @param stitcher in PANORAMA or SCANS mode, set up completely. Without a features finder or matcher it can compose after
 setTransform(), but stitch() and estimateTransform() throw cv::Exception
 @param params of the alignment; referenceImage counts the images given to the stitcher, canvasPeriod is ignored
+@return access to the alignment; need not be kept
 @throws cv::Exception if the stitcher is empty, has no warper, or params are out of range */
 CV_EXPORTS_W Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params = Params());
 
 /** @overload
 @param stitcher, params as above
 @param progress called during the alignment; cancelling gives the plain panorama. What it throws passes through the stitcher,
-which then estimates again for the next panorama */
+which then estimates again for the next panorama
+@return as above
+@throws cv::Exception as above */
 CV_EXPORTS Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params, const Progress& progress);
 
 //! @}

@@ -31,16 +31,20 @@ const cv::Ptr<cv::gcpw::GcpwCompensator> compensator = creator.compensator();
 class CV_EXPORTS GcpwWarper : public WarperCreator
 {
 public:
-    /** @param base creator of the base warper: the one that the rig was estimated with
+    /** @brief A creator of warpers with the meshes of a rig.
+    @param base creator of the base warper: the one that the rig was estimated with
     @param rig one that is not usable() leaves the base warper; one that Rig::check() refuses is logged
     @throws cv::Exception StsNullPtr if there is no base */
     explicit GcpwWarper(const Ptr<WarperCreator>& base, const Rig& rig = Rig());
 
     /** @brief A GcpwRotationWarper with the rig of this moment.
-    @param scale of the base warper, > 0; need not be the scale of the rig */
+    @param scale of the base warper, > 0; need not be the scale of the rig
+    @return never empty
+    @throws cv::Exception if the base creator makes no warper */
     Ptr<cv::detail::RotationWarper> create(float scale) const CV_OVERRIDE;
 
-    /// The present rig; valid until the next setRig().
+    /// The present rig.
+    /// @return valid until the next setRig()
     const Rig& rig() const;
 
     /** @brief Replaces the rig, for warpers made from now on and for compensators made already.
@@ -48,10 +52,12 @@ public:
     void setRig(const Rig& rig);
 
     /// Creator of the base warper.
+    /// @return the one given to the constructor, never empty
     Ptr<WarperCreator> base() const;
 
     /** @brief A compensator with the rig's colours, at the scale of whichever warper made the picture.
     @param params for GcpwCompensator::feed() while the rig is not usable()
+    @return never empty; follows setRig()
     @throws cv::Exception if params are out of range */
     Ptr<GcpwCompensator> compensator(const Params& params = Params()) const;
 
