@@ -204,7 +204,7 @@ int stitch(const Job& job)
     if (!job.dump.empty())
     {
         dumpCanvas(job.dump, canvas);
-        alignment.save(job.dump + "/model.yml.gz");
+        writeModel(job.dump + "/model.yml.gz", [&](const std::string& path) { alignment.save(path); });
     }
     if (!job.report.empty())
     {
@@ -236,7 +236,7 @@ int writeSynthetic(const std::string& folder)
 int main(int argc, char** argv)
 {
     const std::string about = "Stitches two overlapping photographs with Generalized Content-Preserving Warps.\n"
-                              "Exit code: 0 stitched, 1 no alignment found, 2 wrong use.";
+                              "Exit code: 0 stitched, 1 no alignment found, 2 wrong use or a file that cannot be read or written.";
     return runProgram("gcpw_pair", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
     {
         return parser.has("synthetic") ? writeSynthetic(parser.get<std::string>("synthetic")) : stitch(parse(parser, argc, argv));

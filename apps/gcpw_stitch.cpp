@@ -371,7 +371,7 @@ int stitch(const Job& job)
         std::cout << binding->rig().alignment.report().message << '\n';
     writeImage(job.output, panorama);
     if (!job.save_model.empty())
-        binding->rig().save(job.save_model);
+        writeModel(job.save_model, [&](const std::string& path) { binding->rig().save(path); });
     if (!job.dump.empty())
         dumpWarped(job.dump, *stitcher, images);
     std::cout << job.output << ": " << panorama.cols << " x " << panorama.rows << " of " << outcome.kept.size() << " images, "
@@ -384,7 +384,7 @@ int stitch(const Job& job)
 int main(int argc, char** argv)
 {
     const std::string about = "Stitches photographs with cv::Stitcher and Generalized Content-Preserving Warps.\n"
-                              "gcpw_stitch IMAGE IMAGE.. [--option=value..]. Exit code: 0 stitched, 1 no alignment, 2 wrong use.";
+                              "gcpw_stitch IMAGE IMAGE.. [--option=value..]. Exit code: 0 stitched, 1 no alignment, 2 wrong use or a file that\ncannot be read or written.";
     return runProgram("gcpw_stitch", argc, argv, KEYS, about,
                       [&](const cv::CommandLineParser& parser) { return stitch(parse(parser, argc, argv)); });
 }
