@@ -29,9 +29,9 @@ a rig. Gains given to setMatGains() take precedence over a rig's.
 
 @code
 cv::gcpw::GcpwCompensator compensator; // as any other cv::detail::ExposureCompensator
-compensator.feed(corners, images, masks);
-for (size_t i = 0; i < images.size(); ++i)
-    compensator.apply(static_cast<int>(i), corners[i], images[i], masks[i]);
+compensator.feed(corners, warped, masks); // std::vector<cv::UMat>, as a warper left them
+for (size_t i = 0; i < warped.size(); ++i)
+    compensator.apply(static_cast<int>(i), corners[i], warped[i], masks[i]);
 @endcode */
 class CV_EXPORTS_W GcpwCompensator : public cv::detail::ExposureCompensator
 {
