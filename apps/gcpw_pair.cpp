@@ -76,6 +76,8 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
         throw WrongUse("unknown method '" + method + "'; there are " + evaluation::pairMethodNames());
     if (parser.has("work_megapix"))
         job.params.workMegapix = parser.get<double>("work_megapix");
+    if (!(job.params.workMegapix >= LEAST_MEGAPIX))
+        throw WrongUse(cv::format("--work_megapix is million pixels, at least %g", LEAST_MEGAPIX));
     applySettings(parser.get<std::string>("set"), job.params);
     const int threads = parser.get<int>("threads");
     if (!parser.check())

@@ -114,8 +114,8 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
         throw WrongUse("two photographs or more are needed: gcpw_stitch IMAGE IMAGE..; --help lists the options");
     if (job.reference != -1 && (job.reference < 1 || job.reference > static_cast<int>(job.paths.size())))
         throw WrongUse("--reference is the number of an image, 1 to " + std::to_string(job.paths.size()));
-    if (setup.work_megapix <= 0 || setup.seam_megapix <= 0)
-        throw WrongUse("--work_megapix and --seam_megapix are million pixels, more than 0");
+    if (!(std::min(setup.work_megapix, setup.seam_megapix) >= LEAST_MEGAPIX))
+        throw WrongUse(cv::format("--work_megapix and --seam_megapix are million pixels, at least %g", LEAST_MEGAPIX));
     if (!job.gcpw && (!job.save_model.empty() || !job.load_model.empty()))
         throw WrongUse("there is a model only with --method=gcpw");
     if (job.reference != -1)

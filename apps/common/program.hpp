@@ -20,6 +20,9 @@ enum ExitCode
     EXIT_WRONG_USE = 2
 };
 
+/// Least resolution of an estimation that makes sense, million pixels: a photograph of 10 x 10 px.
+const double LEAST_MEGAPIX = 1e-4;
+
 /// The caller asked for something that cannot be: ends the program with EXIT_WRONG_USE and this message.
 struct WrongUse : std::runtime_error
 {
