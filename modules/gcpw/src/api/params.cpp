@@ -93,7 +93,7 @@ Params::Params()
     similarityWeight = 0.12;
     stretchLimit = 0.5;
     outsideWeight = 0.3;
-    straightnessWeight = 4;
+    straightnessWeight = 8;
     colorSmoothnessWeight = 100;
     colorRestWeight = 1;
     sampleStep = 2;

@@ -143,7 +143,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double outsideWeight;
     /// Weight of a squared bend in px^2 of what is straight in the photographs, at one sample, >= 0; not in the paper. Long line
     /// segments of every image, matched or not, and the borders of photographs where no other image shows them, may shift and turn but
-    /// stay as straight as the rough alignment has them. Larger values hold them more strictly. 0: lines bend with the mesh. Typical: 1..20. default 4
+    /// stay as straight as the rough alignment has them. Larger values hold them more strictly. 0: lines bend with the mesh.
+    /// Typical: 1..20. default 8
     CV_PROP_RW double straightnessWeight;
     /// lambda_4, weight of a squared difference of the colours of adjacent quads (eq. colorterm), > 0. Larger values make the
     /// colour correction smoother; the paper's 1 lets gains collapse in quads without texture. Typical: 10..300. default 100
