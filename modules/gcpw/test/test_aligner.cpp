@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include "opencv2/gcpw/aligner.hpp"
+#include "overlap/outside_curves.hpp"
 #include "registration/pair_matcher.hpp"
 #include "registration/straight_lines.hpp"
 #include "api/result.hpp"
@@ -73,6 +74,11 @@ Alignment pairResult(const Mat& source, const Mat& target, Point corner, const P
     problem.images[1].pyramid = buildPyramid(target, Mat(), params.pyramidLevels);
     for (const Segment& line : findStraightLines(source, Mat()))
         problem.images[0].straight.push_back({line.start, line.end});
+    const double near_border = 0.05 * std::hypot(source.cols, source.rows); // as ProblemBuilder has it
+    for (const Segment& border : bordersOf(source.size()))
+        for (const Curve& part : partsOutside({border.start, border.end}, problem.images[0].rough, {{&problem.images[1].rough, Point2d()}}, 4,
+                                              near_border, near_border))
+            problem.images[0].straight.push_back(part);
     std::vector<ImageState> states = roughStates(problem);
     Report report;
     refine(problem, params, StepCallback(), states, report);

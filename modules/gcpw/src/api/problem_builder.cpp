@@ -234,9 +234,14 @@ Alignment ProblemBuilder::align()
     if (!failed())
     {
         const int64 tick = getTickCount();
+        full_.clear(); // nothing looks at these any more, and the estimation takes more than they do
+        features_.clear();
         for (size_t i = 0; i < images_.size(); ++i)
+        {
             problem_.images[i].pyramid =
                 buildPyramid(images_[i].photograph.image, images_[i].photograph.mask, params_.pyramidLevels);
+            images_[i].photograph = Photograph();
+        }
         refine(
             problem_, params_, [&](double share) { return !progress_ || progress_("align", share); }, states, report_);
         report_.timings_ms.align = millisecondsSince(tick);
