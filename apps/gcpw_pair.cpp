@@ -76,6 +76,8 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
         throw WrongUse("unknown method '" + method + "'; there are " + evaluation::pairMethodNames());
     if (parser.has("work_megapix"))
         job.params.workMegapix = parser.get<double>("work_megapix");
+    if (!(job.params.workMegapix >= LEAST_MEGAPIX))
+        throw WrongUse(cv::format("--work_megapix is million pixels, at least %g", LEAST_MEGAPIX));
     applySettings(parser.get<std::string>("set"), job.params);
     const int threads = parser.get<int>("threads");
     if (!parser.check())
@@ -204,7 +206,7 @@ int stitch(const Job& job)
     if (!job.dump.empty())
     {
         dumpCanvas(job.dump, canvas);
-        alignment.save(job.dump + "/model.yml.gz");
+        writeModel(job.dump + "/model.yml.gz", [&](const std::string& path) { alignment.save(path); });
     }
     if (!job.report.empty())
     {
@@ -236,7 +238,7 @@ int writeSynthetic(const std::string& folder)
 int main(int argc, char** argv)
 {
     const std::string about = "Stitches two overlapping photographs with Generalized Content-Preserving Warps.\n"
-                              "Exit code: 0 stitched, 1 no alignment found, 2 wrong use.";
+                              "Exit code: 0 stitched, 1 no alignment found, 2 wrong use or a file that cannot be read or written.";
     return runProgram("gcpw_pair", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
     {
         return parser.has("synthetic") ? writeSynthetic(parser.get<std::string>("synthetic")) : stitch(parse(parser, argc, argv));

@@ -114,8 +114,8 @@ Job parse(const cv::CommandLineParser& parser, int argc, const char* const* argv
         throw WrongUse("two photographs or more are needed: gcpw_stitch IMAGE IMAGE..; --help lists the options");
     if (job.reference != -1 && (job.reference < 1 || job.reference > static_cast<int>(job.paths.size())))
         throw WrongUse("--reference is the number of an image, 1 to " + std::to_string(job.paths.size()));
-    if (setup.work_megapix <= 0 || setup.seam_megapix <= 0)
-        throw WrongUse("--work_megapix and --seam_megapix are million pixels, more than 0");
+    if (!(std::min(setup.work_megapix, setup.seam_megapix) >= LEAST_MEGAPIX))
+        throw WrongUse(cv::format("--work_megapix and --seam_megapix are million pixels, at least %g", LEAST_MEGAPIX));
     if (!job.gcpw && (!job.save_model.empty() || !job.load_model.empty()))
         throw WrongUse("there is a model only with --method=gcpw");
     if (job.reference != -1)
@@ -371,7 +371,7 @@ int stitch(const Job& job)
         std::cout << binding->rig().alignment.report().message << '\n';
     writeImage(job.output, panorama);
     if (!job.save_model.empty())
-        binding->rig().save(job.save_model);
+        writeModel(job.save_model, [&](const std::string& path) { binding->rig().save(path); });
     if (!job.dump.empty())
         dumpWarped(job.dump, *stitcher, images);
     std::cout << job.output << ": " << panorama.cols << " x " << panorama.rows << " of " << outcome.kept.size() << " images, "
@@ -384,7 +384,7 @@ int stitch(const Job& job)
 int main(int argc, char** argv)
 {
     const std::string about = "Stitches photographs with cv::Stitcher and Generalized Content-Preserving Warps.\n"
-                              "gcpw_stitch IMAGE IMAGE.. [--option=value..]. Exit code: 0 stitched, 1 no alignment, 2 wrong use.";
+                              "gcpw_stitch IMAGE IMAGE.. [--option=value..]. Exit code: 0 stitched, 1 no alignment, 2 wrong use or a file that\ncannot be read or written.";
     return runProgram("gcpw_stitch", argc, argv, KEYS, about,
                       [&](const cv::CommandLineParser& parser) { return stitch(parse(parser, argc, argv)); });
 }

@@ -8,10 +8,13 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <opencv2/core/check.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 #include <unistd.h>
+#include "common/held_signals.hpp"
+#include "common/jpeg_end.hpp"
 
 namespace fs = std::filesystem;
 using cv::gcpw::Params;
@@ -43,17 +46,25 @@ std::string writeTo(const fs::path& path, const char* data, size_t size)
     return file ? "" : "the disk is full or the file is too large";
 }
 
+/// A device or a pipe is nothing to be replaced.
+bool isReplaceable(const std::string& path)
+{
+    std::error_code unknown;
+    const fs::file_status status = fs::status(path, unknown);
+    return !fs::exists(status) || fs::is_regular_file(status);
+}
+
 void writeThenRename(const std::string& path, const char* data, size_t size)
 {
     std::error_code error;
-    const fs::file_status before = fs::status(path, error);
     std::string reason;
-    if (fs::exists(before) && !fs::is_regular_file(before))
-        reason = writeTo(path, data, size); // a device or a pipe is nothing to be replaced
+    if (!isReplaceable(path))
+        reason = writeTo(path, data, size);
     else
     {
+        const HeldSignals held;
         // A link stays one: what it leads to is replaced.
-        const fs::path target = fs::exists(before) ? fs::canonical(path) : fs::path(path);
+        const fs::path target = fs::exists(path, error) ? fs::canonical(path) : fs::path(path);
         const fs::path partial = partialOf(target);
         reason = writeTo(partial, data, size);
         if (reason.empty())
@@ -72,6 +83,15 @@ bool sameFile(const fs::path& a, const fs::path& b)
 {
     std::error_code unknown;
     return fs::equivalent(a, b, unknown) || fs::weakly_canonical(a, unknown) == fs::weakly_canonical(b, unknown);
+}
+
+/// The exit code of a program whose last words were printed.
+int printed(int code)
+{
+    std::cout.flush();
+    if (!std::cout || std::ferror(stdout) != 0)
+        throw WrongUse("cannot write to standard output: the disk is full or the file is too large");
+    return code;
 }
 
 fs::path folderOf(const fs::path& path)
@@ -109,6 +129,10 @@ cv::Mat readImage(const std::string& path)
         image = cv::imread(path, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
     if (image.empty())
         throw WrongUse(path + " is not an image that OpenCV can read");
+    if (image.depth() != CV_8U && image.depth() != CV_16U)
+        throw WrongUse(path + " has pixels of kind " + cv::typeToString(image.type()) + "; save it with 8 or 16 bits a channel");
+    if (lacksJpegEnd(path))
+        throw WrongUse(path + " is cut short: its end is missing, and with it a part of the picture; copy it anew");
     return image;
 }
 
@@ -179,6 +203,17 @@ void writeText(const std::string& path, const std::string& text)
     writeThenRename(path, text.data(), text.size());
 }
 
+void writeModel(const std::string& path, const std::function<void(const std::string&)>& save)
+{
+    if (!isReplaceable(path))
+        save(path); // may last until somebody reads
+    else
+    {
+        const HeldSignals held;
+        save(path);
+    }
+}
+
 void makeFolder(const std::string& path)
 {
     std::error_code error;
@@ -246,10 +281,10 @@ int runProgram(const std::string& name, int argc, const char* const* argv, const
         if (parser.has("help"))
         {
             parser.printMessage();
-            return EXIT_STITCHED;
+            return printed(EXIT_STITCHED);
         }
         checkOptions(argc, argv, keys);
-        return run(parser);
+        return printed(run(parser));
     }
     catch (const WrongUse& e)
     {

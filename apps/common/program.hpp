@@ -20,6 +20,9 @@ enum ExitCode
     EXIT_WRONG_USE = 2
 };
 
+/// Least resolution of an estimation that makes sense, million pixels: a photograph of 10 x 10 px.
+const double LEAST_MEGAPIX = 1e-4;
+
 /// The caller asked for something that cannot be: ends the program with EXIT_WRONG_USE and this message.
 struct WrongUse : std::runtime_error
 {
@@ -29,7 +32,7 @@ struct WrongUse : std::runtime_error
 /// Throws WrongUse if an argument is no option of `keys` (cv::CommandLineParser passes over them in silence).
 void checkOptions(int argc, const char* const* argv, const std::string& keys);
 
-/// Reads a photograph with its depth, orientation and alpha. Throws WrongUse that names the file.
+/// Reads a photograph of 8 or 16 bits with its orientation and alpha. Throws WrongUse that names the file, also where it is cut short.
 cv::Mat readImage(const std::string& path);
 
 /// The same as 8-bit BGR, which is all that cv::Stitcher takes.
@@ -52,6 +55,9 @@ void writeImage(const std::string& path, const cv::Mat& image);
 
 /// The same for text.
 void writeText(const std::string& path, const std::string& text);
+
+/// Calls save(path), which writes a file as a whole or not at all, and lets no signal stop it halfway.
+void writeModel(const std::string& path, const std::function<void(const std::string&)>& save);
 
 /// Makes a folder and its parents. Throws WrongUse.
 void makeFolder(const std::string& path);

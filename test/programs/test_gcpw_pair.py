@@ -113,7 +113,8 @@ def refuses(bench, source, target):
                             ((source, target, "--view=middle"), "natural"),
                             ((source, target, "--set=meshCols=1"), "meshCols"), ((source, target, "--set=quads=3"), "quads"),
                             ((source, target, "--set=meshCols"), "name=number"),
-                            ((source, target, "--work_megapix=0"), "workMegapix")):
+                            ((source, target, "--work_megapix=0"), "at least 0.0001"),
+                            ((source, target, "--work_megapix=1e-9"), "at least 0.0001")):
         bench.refused("gcpw_pair", *arguments, *out, says=says)
     bench.refused("gcpw_pair", source, target, *QUICK, "--output=no_such_folder/pano.png", says="no_such_folder/pano.png")
     bench.run("gcpw_pair", "gray.pgm", target, *out[:2], "--report=none.json", expect=NO_ALIGNMENT, says="matches")

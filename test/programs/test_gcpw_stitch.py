@@ -115,7 +115,8 @@ def refuses(bench, photos):
                             ((*photos, "--warp=ball"), "spherical"), ((*photos, "--mode=map"), "scans"),
                             ((*photos, "--ba=ray"), "--mode=panorama"), ((*photos, "--wave_correct=no"), "--mode=panorama"),
                             ((*photos, "--seams=no"), "--seams"), ((*photos, "--reference=3"), "--reference"),
-                            ((*photos, "--work_megapix=-1"), "--work_megapix"), ((*photos, "--set=meshCols=1"), "meshCols"),
+                            ((*photos, "--work_megapix=-1"), "--work_megapix"), ((*photos, "--work_megapix=1e-9"), "at least 0.0001"),
+                            ((*photos, "--set=meshCols=1"), "meshCols"),
                             ((*photos, "--load_model=missing.yml"), "missing.yml"), ((*photos, "--load_model=bad.yml"), "bad.yml"),
                             ((*photos, "--method=none", "--save_model=no.yml"), "--method=gcpw")):
         bench.refused("gcpw_stitch", *arguments, *out, says=says)

@@ -100,6 +100,21 @@ TEST(Gcpw_CameraSearch, photographs_of_a_plane_are_not_bent_onto_a_sphere)
         EXPECT_LT(miss, 0.004 * SHOT.width);
 }
 
+TEST(Gcpw_CameraSearch, a_later_model_is_taken_only_if_it_is_nearer_in_most_links_and_in_half_of_them)
+{
+    const auto misses = [](double half, double most)
+    {
+        gcpw::Misses result;
+        result.half = half;
+        result.most = most;
+        return result;
+    };
+    EXPECT_TRUE(gcpw::isTruer(misses(0.002, 0.004), misses(0.006, 0.01)));
+    EXPECT_FALSE(gcpw::isTruer(misses(0.002, 0.008), misses(0.006, 0.01))) << "not clearly nearer";
+    // Hand-held, and the last photograph from another place: a plane follows its two links with a zoom, and misses the others.
+    EXPECT_FALSE(gcpw::isTruer(misses(0.0044, 0.0083), misses(0.0026, 0.0142))) << "one photograph decides for all";
+}
+
 TEST(Gcpw_CameraSearch, an_image_without_links_is_left_out)
 {
     const CameraChoice choice = found(linkedBy(5, linksOfTurning(strip(), 600)));

@@ -64,6 +64,18 @@ TEST(Gcpw_StraightLines, they_are_found_in_an_image_and_heed_its_mask)
         EXPECT_LT(std::max(line.start.y, line.end.y), 120);
 }
 
+TEST(Gcpw_StraightLines, the_borders_of_an_image_go_through_its_outermost_pixels)
+{
+    const std::vector<Segment> borders = bordersOf(Size(80, 60));
+    ASSERT_EQ(borders.size(), 4u);
+    const Point2d corners[] = {Point2d(0, 0), Point2d(79, 0), Point2d(79, 59), Point2d(0, 59)};
+    for (int k = 0; k < 4; ++k)
+    {
+        EXPECT_EQ(borders[k].start, corners[k]) << k;
+        EXPECT_EQ(borders[k].end, corners[(k + 1) % 4]) << k;
+    }
+}
+
 TEST(Gcpw_Curve, samples_are_equally_far_apart_along_the_polygon)
 {
     const Curve bent = {Point2d(0, 0), Point2d(30, 0), Point2d(30, 0), Point2d(30, 40)};

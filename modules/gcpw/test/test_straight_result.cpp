@@ -7,6 +7,7 @@
 #include "opencv2/gcpw/pair.hpp"
 #include "api/result.hpp"
 #include "energy/straightness_term.hpp"
+#include "overlap/outside_curves.hpp"
 #include "registration/straight_lines.hpp"
 #include "scene.hpp"
 
@@ -14,22 +15,37 @@ namespace opencv_test { namespace {
 
 using namespace cv::gcpw;
 
+/// @param vertices mesh or rough of the image
+MeshGrid meshOf(const Alignment::Image& image, const Mat& vertices)
+{
+    MeshGrid mesh(Lattice(image.work_size, vertices.cols - 1, vertices.rows - 1));
+    for (int v = 0; v < mesh.lattice().vertexCount(); ++v)
+        mesh.vertices()[v] = vertices.at<Point2d>(v / vertices.cols, v % vertices.cols);
+    return mesh;
+}
+
 /// Root mean square of what curves of an image bend, canvas px.
 double bendOf(const Alignment::Image& image, const std::vector<Curve>& curves)
 {
-    const Lattice lattice(image.work_size, image.mesh.cols - 1, image.mesh.rows - 1);
-    const auto meshOf = [&](const Mat& vertices)
-    {
-        MeshGrid mesh(lattice);
-        for (int v = 0; v < lattice.vertexCount(); ++v)
-            mesh.vertices()[v] = vertices.at<Point2d>(v / vertices.cols, v % vertices.cols);
-        return mesh;
-    };
     double count = 0;
     for (const Curve& curve : curves)
         count += lengthOf(curve) / 4;
-    const StraightnessTerm term(0, meshOf(image.rough), curves, 4, 1);
-    return std::sqrt(term.evaluate({{meshOf(image.mesh), ColorGrid(lattice)}}) / count);
+    const MeshGrid rough = meshOf(image, image.rough);
+    const StraightnessTerm term(0, rough, curves, 4, 1);
+    return std::sqrt(term.evaluate({{meshOf(image, image.mesh), ColorGrid(rough.lattice())}}) / count);
+}
+
+/// What the first image's borders bend where the second does not show them.
+double borderBend(const Alignment& alignment)
+{
+    const Alignment::Image& image = alignment.image(0);
+    const MeshGrid rough = meshOf(image, image.rough);
+    const MeshGrid other = meshOf(alignment.image(1), alignment.image(1).rough);
+    std::vector<Curve> borders;
+    for (const Segment& border : bordersOf(image.work_size))
+        for (const Curve& part : partsOutside({border.start, border.end}, rough, {{&other, Point2d()}}, 4, 20, 0))
+            borders.push_back(part);
+    return bendOf(image, borders);
 }
 
 Params straightness(double weight)
@@ -80,6 +96,38 @@ TEST(Gcpw_StraightResult, an_aligner_holds_the_curves_it_is_given)
     EXPECT_LT(bend(lines), 0.2 * free);
 }
 
+TEST(Gcpw_StraightResult, borders_of_the_source_stay_straight_where_they_are_those_of_the_picture)
+{
+    const Scene s = scene();
+    const double without = borderBend(alignPair(s.source(), s.target(), straightness(0)));
+    EXPECT_GT(without, 0.5) << "nothing bends";
+    EXPECT_LT(borderBend(alignPair(s.source(), s.target(), straightness(4))), 0.1 * without);
+}
+
+TEST(Gcpw_StraightResult, an_aligner_holds_the_borders_of_images_and_of_photographs_it_is_told)
+{
+    const Scene s = scene();
+    const std::vector<Mat> images = {s.source(), s.target()};
+    Params params = straightness(4);
+    params.referenceImage = 1;
+    const auto bend = [&](InputArrayOfArrays masks, const std::vector<KnownLines>& known)
+    {
+        return borderBend(Aligner::create(params)->align({Point(96, 0), Point(0, 0)}, images, masks, std::vector<Correspondences>(),
+                                                         Progress(), std::vector<KnownKeypoints>(), known));
+    };
+    Mat mask(s.source().size(), CV_8UC1, Scalar(255));
+    mask.row(0).setTo(0);
+    const std::vector<Mat> masks(2, mask);
+    std::vector<KnownLines> lines(2);
+    const double free = bend(noArray(), lines);
+    EXPECT_GT(free, 0.5) << "nothing bends";
+    EXPECT_LT(bend(noArray(), std::vector<KnownLines>()), 0.1 * free);
+    EXPECT_GT(bend(masks, std::vector<KnownLines>()), 0.3 * free) << "what a mask hides has no border";
+    for (const Segment& border : bordersOf(s.source().size()))
+        lines[0].borders.push_back({border.start, border.end});
+    EXPECT_LT(bend(masks, lines), 0.1 * free);
+}
+
 TEST(Gcpw_StraightResult, lines_that_do_not_fit_are_refused)
 {
     const Scene s = scene();
@@ -94,6 +142,9 @@ TEST(Gcpw_StraightResult, lines_that_do_not_fit_are_refused)
     lines[1].curves = {{Point2f(1, 2)}};
     EXPECT_THROW(align(lines), cv::Exception);
     lines[1].curves = {{Point2f(1, 2), Point2f(std::nanf(""), 4)}};
+    EXPECT_THROW(align(lines), cv::Exception);
+    lines[1].curves.clear();
+    lines[1].borders = {{Point2f(1, 2)}};
     EXPECT_THROW(align(lines), cv::Exception);
 }
 

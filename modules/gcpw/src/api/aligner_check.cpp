@@ -123,16 +123,24 @@ void checkKeypoints(const std::vector<KnownKeypoints>& keypoints, int images)
     }
 }
 
+void checkCurves(const std::vector<std::vector<Point2f>>& curves, const std::string& name)
+{
+    for (size_t k = 0; k < curves.size(); ++k)
+    {
+        CV_CheckGE(curves[k].size(), size_t(2), "gcpw: a curve has two points or more");
+        checkFinite(curves[k], format("%s[%zu]", name.c_str(), k));
+    }
+}
+
 void checkLines(const std::vector<KnownLines>& lines, int images)
 {
     if (!lines.empty())
         CV_CheckEQ(static_cast<int>(lines.size()), images, "gcpw: Aligner::align() takes lines for each image, or none");
     for (size_t i = 0; i < lines.size(); ++i)
-        for (size_t k = 0; k < lines[i].curves.size(); ++k)
-        {
-            CV_CheckGE(lines[i].curves[k].size(), size_t(2), "gcpw: a curve has two points or more");
-            checkFinite(lines[i].curves[k], format("lines[%zu].curves[%zu]", i, k));
-        }
+    {
+        checkCurves(lines[i].curves, format("lines[%zu].curves", i));
+        checkCurves(lines[i].borders, format("lines[%zu].borders", i));
+    }
 }
 
 } // namespace

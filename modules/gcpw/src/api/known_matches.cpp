@@ -56,16 +56,16 @@ Keypoints toWork(const KnownKeypoints& known, const WorkImage& image)
     return result;
 }
 
-std::vector<Curve> toWork(const KnownLines& known, const WorkImage& image)
+std::vector<Curve> toWork(const std::vector<std::vector<Point2f>>& curves, const WorkImage& image)
 {
-    std::vector<Curve> curves;
-    for (const std::vector<Point2f>& points : known.curves)
+    std::vector<Curve> result;
+    for (const std::vector<Point2f>& points : curves)
     {
-        curves.emplace_back();
+        result.emplace_back();
         for (const Point2f& p : points)
-            curves.back().push_back(image.scale.toWork(p));
+            result.back().push_back(image.scale.toWork(p));
     }
-    return curves;
+    return result;
 }
 
 std::vector<PointMatch> toWork(const std::vector<Correspondences>& all, int a, int b,

@@ -22,8 +22,8 @@ namespace gcpw
 /// The keypoints that lie inside the image's mask.
 Keypoints toWork(const KnownKeypoints& known, const WorkImage& image);
 
-/// The curves, in working pixels.
-std::vector<Curve> toWork(const KnownLines& known, const WorkImage& image);
+/// Curves of KnownLines, in working pixels.
+std::vector<Curve> toWork(const std::vector<std::vector<Point2f>>& curves, const WorkImage& image);
 
 /// The correspondences of images a and b, whichever of the two comes first in them.
 std::vector<PointMatch> toWork(const std::vector<Correspondences>& all, int a, int b,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include "api/gzip.hpp"
 #include "api/model_text.hpp"
 
 namespace cv
@@ -21,6 +23,7 @@ namespace fs = std::filesystem;
 const int FORMAT = 1;               ///< raised when a reader of the older kind would misread the file
 const char* const END = "complete"; ///< the last thing in a file
 const char* const NO_ROOM = ": the disk is full or the file is too large";
+const size_t MOST_TEXT = 256 << 20; ///< bytes of unpacked text: a thousand images with the default mesh, 20 with the finest
 
 bool opened(FileStorage& file, const std::string& name, int mode, std::string& reason)
 {
@@ -45,14 +48,24 @@ bool isCompressed(const fs::path& path)
     return path.extension() == ".gz";
 }
 
-/// What OpenCV's parser would crash at; compressed text is not looked at.
+/// What OpenCV's parser would crash at or take all memory for.
 std::string faultOf(const std::string& path)
 {
     std::ifstream stream(path, std::ios::binary);
     const bool gzip = stream.get() == 0x1f && stream.get() == 0x8b;
     stream.clear();
     stream.seekg(0);
-    return gzip ? std::string() : textFault(stream);
+    if (!gzip)
+        return textFault(stream);
+    try
+    {
+        std::istringstream text(gunzip(stream, MOST_TEXT));
+        return textFault(text);
+    }
+    catch (const cv::Exception& e)
+    {
+        return e.err;
+    }
 }
 
 /// Where the file is written first: in the same folder, with the same extensions, under an unused name.

@@ -93,12 +93,12 @@ Params::Params()
     similarityWeight = 0.12;
     stretchLimit = 0.5;
     outsideWeight = 0.3;
-    straightnessWeight = 4;
+    straightnessWeight = 8;
     colorSmoothnessWeight = 100;
     colorRestWeight = 1;
     sampleStep = 2;
     lineStep = 5;
-    pyramidLevels = 3;
+    pyramidLevels = 4;
     maxIterations = 10;
     stopMotion = 0.05;
     stopGain = 0.002;
@@ -106,7 +106,7 @@ Params::Params()
     robustScale = 2;
     gainSupport = 3;
     matchScale = 2;
-    anchorWeight = 1;
+    anchorWeight = 0.1;
     revertRatio = 1.05;
     restWeight = 0.01;
     exposureWeight = 8;
@@ -134,6 +134,7 @@ Params Params::paper()
     p.similarityWeight = 0.5;
     p.colorSmoothnessWeight = 1;
     p.sampleStep = 3;
+    p.pyramidLevels = 3;
     p.maxIterations = 1000;
     p.stopGain = 0;
     p.contrastFloor = 0;

@@ -4,10 +4,12 @@
 #include "api/problem_builder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/core/utils/logger.hpp>
 #include "api/known_matches.hpp"
 #include "api/result.hpp"
 #include "geometry/homography.hpp"
+#include "overlap/outside_curves.hpp"
 #include "registration/match_filter.hpp"
 #include "registration/rough_alignment.hpp"
 #include "registration/straight_lines.hpp"
@@ -19,6 +21,18 @@ namespace gcpw
 
 namespace
 {
+
+const double BORDER_STEP = 4;      ///< px between the places where it is looked whether another image shows a border
+const double LEAST_BORDER = 0.05;  ///< of the diagonal: a shorter piece of a border is not seen to bend
+const double BORDER_MARGIN = 0.05; ///< of the diagonal: what another image covers by no more may come to light as meshes move
+
+std::vector<Curve> toCurves(const std::vector<Segment>& segments)
+{
+    std::vector<Curve> curves;
+    for (const Segment& segment : segments)
+        curves.push_back({segment.start, segment.end});
+    return curves;
+}
 
 std::vector<Photograph> toPhotographs(const std::vector<Mat>& images, const std::vector<Mat>& masks)
 {
@@ -93,13 +107,34 @@ void ProblemBuilder::keepStraight(const std::vector<KnownLines>& known)
         ProblemImage& image = problem_.images[i];
         if (image.fixed || params_.straightnessWeight == 0)
             continue;
+        std::vector<Curve> borders;
         if (!known.empty())
-            image.straight = toWork(known[i], images_[i]);
+        {
+            image.straight = toWork(known[i].curves, images_[i]);
+            borders = toWork(known[i].borders, images_[i]);
+        }
         else
-            for (const Segment& line : findStraightLines(images_[i].photograph.image, images_[i].photograph.mask))
-                image.straight.push_back({line.start, line.end});
+        {
+            const Photograph& photograph = images_[i].photograph;
+            image.straight = toCurves(findStraightLines(photograph.image, photograph.mask));
+            if (photograph.mask.empty()) // else what is seen ends elsewhere
+                borders = toCurves(bordersOf(photograph.image.size()));
+        }
+        keepBorders(borders, static_cast<int>(i));
     }
     report_.timings_ms.features += millisecondsSince(tick);
+}
+
+/// Adds what of the borders is a border of the picture as well.
+void ProblemBuilder::keepBorders(const std::vector<Curve>& borders, int i)
+{
+    ProblemImage& image = problem_.images[i];
+    const Size size = image.rough.lattice().imageSize();
+    const double diagonal = std::hypot(size.width, size.height);
+    const std::vector<Neighbour> neighbours = neighboursOf(i);
+    for (const Curve& border : borders)
+        for (const Curve& part : partsOutside(border, image.rough, neighbours, BORDER_STEP, LEAST_BORDER * diagonal, BORDER_MARGIN * diagonal))
+            image.straight.push_back(part);
 }
 
 void ProblemBuilder::keepOutside()

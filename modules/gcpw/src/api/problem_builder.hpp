@@ -43,8 +43,11 @@ public:
     @param known correspondences; if there are any, even for other pairs, they are verified and nothing is looked for */
     void findMatches(MatchKinds kinds, const std::vector<Correspondences>& known = std::vector<Correspondences>());
 
-    /** @brief Part of stage "features": what is to stay straight in each image that moves.
-    @param known one entry for each image; if there is none, line segments are looked for at the working resolution */
+    /** @brief Part of stage "features": what is to stay straight in each image that moves, and of its borders what no other shows.
+
+    After the start is known.
+    @param known one entry for each image; if there is none, line segments are looked for at the working resolution, and an image
+    without a mask ends at its borders */
     void keepStraight(const std::vector<KnownLines>& known = std::vector<KnownLines>());
 
     /** @brief What no other image shows is to keep its size and direction.
@@ -67,6 +70,7 @@ public:
 private:
     bool goOn(const char* stage, double share);
     std::vector<Neighbour> neighboursOf(int image) const;
+    void keepBorders(const std::vector<Curve>& borders, int image);
     bool failed() const { return report_.status != Status::OK; }
     MatchSet verified(const std::vector<Correspondences>& known, const ProblemPair& pair) const;
 

@@ -13,7 +13,7 @@ namespace cv
 namespace gcpw
 {
 
-/// What a set of photographs is taken for, from the most freedom to the least.
+/// What a set of photographs is taken for, in the order of trial.
 enum class CameraModel
 {
     TURNING,           ///< every camera turns and has a focal length of its own (OpenCV's estimator and ray adjuster)

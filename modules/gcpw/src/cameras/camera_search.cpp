@@ -18,8 +18,7 @@ const char* const AFFINE = "affine";
 const char* const SPHERE = "spherical";
 const double ACCURATE =
     0.004; ///< of an image's longer side: as near as cameras held by hand come; no other model is tried then
-const double NEARER =
-    0.75; ///< a later model must be that much nearer: then it is the truer one, as it has less freedom
+const double NEARER = 0.75; ///< a later model must be that much nearer: then it is the truer one
 const double MAX_MISS =
     0.1; ///< beyond it links contradict each other, and no mesh brings together what belongs together
 const double STRICTER[] = {1, 1.5, 2, 3}; ///< times the confidence asked for, where no model is sound
@@ -30,7 +29,7 @@ struct Attempt
     CameraModel model = CameraModel::TURNING;
     std::vector<cv::detail::CameraParams> cameras;
     ProjectionChoice projection;
-    double miss = 0;   ///< of the links, most of them: over the longer side of an image
+    Misses misses;
     std::string fault; ///< why it is not sound
 };
 
@@ -56,14 +55,15 @@ std::vector<Size> sizesOf(const LinkedImages& images)
     return sizes;
 }
 
-/// What most links (nine of ten) do not exceed.
-double missOf(const std::vector<cv::detail::CameraParams>& cameras, const std::vector<Link>& links,
-              const std::vector<Size>& sizes, cv::detail::RotationWarper& warper, double period)
+Misses missesOver(const std::vector<cv::detail::CameraParams>& cameras, const std::vector<Link>& links,
+                  const std::vector<Size>& sizes, cv::detail::RotationWarper& warper, double period)
 {
     std::vector<double> misses = missesOf(cameras, links, warper, period);
+    if (misses.empty())
+        return {};
     std::sort(misses.begin(), misses.end());
     const double side = std::max(sizes[0].width, sizes[0].height);
-    return misses.empty() ? 0 : misses[(misses.size() - 1) * 9 / 10] / side;
+    return {misses[(misses.size() - 1) / 2] / side, misses[(misses.size() - 1) * 9 / 10] / side};
 }
 
 Attempt attempt(const LinkedImages& images, double confidence, CameraModel model, const WarperMaker& make,
@@ -84,18 +84,18 @@ Attempt attempt(const LinkedImages& images, double confidence, CameraModel model
         const Ptr<cv::detail::RotationWarper> warper = make(AFFINE, scale);
         result.projection.name = AFFINE;
         result.projection.picture = shapeOfPicture(result.cameras, sizes, *warper, 0);
-        result.miss = missOf(result.cameras, links, sizes, *warper, 0);
+        result.misses = missesOver(result.cameras, links, sizes, *warper, 0);
     }
     else
     {
         result.projection = chooseProjection(result.cameras, sizes, make, forced);
         result.cameras = inWorld(result.projection.world, result.cameras);
         // On the sphere distances are as in the photographs, whatever the projection that is shown.
-        result.miss = missOf(result.cameras, links, sizes, *make(SPHERE, scale), 2 * CV_PI * scale);
+        result.misses = missesOver(result.cameras, links, sizes, *make(SPHERE, scale), 2 * CV_PI * scale);
     }
     result.fault = result.projection.picture.fault;
-    if (result.fault.empty() && !(result.miss <= MAX_MISS))
-        result.fault = format("matched points lie %.0f %% of an image's side apart", 100 * result.miss);
+    if (result.fault.empty() && !(result.misses.most <= MAX_MISS))
+        result.fault = format("matched points lie %.0f %% of an image's side apart", 100 * result.misses.most);
     return result;
 }
 
@@ -125,7 +125,7 @@ int bestOf(const std::vector<Attempt>& attempts)
     {
         if (!attempts[i].fault.empty())
             continue;
-        if (best < 0 || attempts[i].miss < NEARER * attempts[best].miss)
+        if (best < 0 || isTruer(attempts[i].misses, attempts[best].misses))
             best = i;
     }
     return best;
@@ -138,11 +138,16 @@ void take(const Attempt& attempt, CameraChoice& choice)
     choice.projection = attempt.projection.name;
     choice.turned = attempt.projection.turned;
     choice.decisions.push_back(nameOf(attempt.model) +
-                               format(" show matched points within %.2f %% of an image's side", 100 * attempt.miss));
+                               format(" show matched points within %.2f %% of an image's side", 100 * attempt.misses.most));
     choice.decisions.push_back(projectionText(attempt.projection));
 }
 
 } // namespace
+
+bool isTruer(const Misses& later, const Misses& earlier)
+{
+    return later.most < NEARER * earlier.most && later.half <= earlier.half;
+}
 
 CameraChoice searchCameras(const LinkedImages& images, double confidence, const WarperMaker& make,
                            const std::string& forced)
@@ -160,7 +165,7 @@ CameraChoice searchCameras(const LinkedImages& images, double confidence, const 
             if (forced.empty() || (forced == AFFINE) == (model == CameraModel::FLAT))
             {
                 attempts.push_back(attempt(part, stricter * confidence, model, make, forced));
-                if (attempts.back().fault.empty() && attempts.back().miss <= ACCURATE)
+                if (attempts.back().fault.empty() && attempts.back().misses.most <= ACCURATE)
                     break;
             }
         }
@@ -171,8 +176,8 @@ CameraChoice searchCameras(const LinkedImages& images, double confidence, const 
             else if (i != best)
                 choice.decisions.push_back(
                     nameOf(attempts[i].model) +
-                    format(" were not taken: matched points lie %.2f %% of an image's side apart",
-                           100 * attempts[i].miss));
+                    format(" were not taken: matched points lie %.2f %% of an image's side apart, %.2f %% in half of the links",
+                           100 * attempts[i].misses.most, 100 * attempts[i].misses.half));
         if (best >= 0)
         {
             take(attempts[best], choice);

@@ -25,8 +25,21 @@ struct CameraChoice
     std::vector<std::string> decisions;
 };
 
+/// How far apart a model shows the matched points of links, over the longer side of an image.
+struct Misses
+{
+    double half = 0; ///< what half of the links do not exceed
+    double most = 0; ///< what nine of ten do not exceed
+};
+
+/** @brief Whether a model explains the links so much better than one before it in the order of trial that it is to be taken.
+
+It must be clearly nearer in most links and no farther in half of them. A single photograph taken from another place spoils the few
+links that it has, for one model more than for another; that says nothing about the scene. */
+bool isTruer(const Misses& later, const Misses& earlier);
+
 /** @brief Tries camera models in their order and takes the first that makes a picture of sound proportions and shows matched points
-together; where it does not quite do that, a later model if it shows them clearly nearer to each other. If none is sound, links must
+together; where it does not quite do that, a later model if it isTruer(). If none is sound, links must
 be more certain, and with them images may be left out.
 @param confidence of a link  @param forced projection of turning cameras, or empty; "affine" tries flat photographs only */
 CameraChoice searchCameras(const LinkedImages& images, double confidence, const WarperMaker& make,

@@ -20,17 +20,6 @@ Point2d centreOf(const Lattice& lattice, int cell)
     return 0.5 * (lattice.referenceVertex(lattice.vertexOf(cell, 0)) + lattice.referenceVertex(lattice.vertexOf(cell, 3)));
 }
 
-bool isShown(Point2d canvas, const std::vector<Neighbour>& neighbours, std::vector<int>& hints)
-{
-    for (size_t k = 0; k < neighbours.size(); ++k)
-    {
-        CellPoint ignored;
-        if (neighbours[k].mesh->invert(canvas - neighbours[k].shift, hints[k], ignored))
-            return true;
-    }
-    return false;
-}
-
 } // namespace
 
 std::vector<double> distanceOutside(const MeshGrid& mesh, const std::vector<Neighbour>& neighbours)

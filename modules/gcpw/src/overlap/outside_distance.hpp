@@ -5,19 +5,12 @@
 #define OPENCV_GCPW_OUTSIDE_DISTANCE_HPP
 
 #include <vector>
-#include "model/mesh_grid.hpp"
+#include "overlap/neighbour.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
-
-/// An image beside another on the canvas.
-struct Neighbour
-{
-    const MeshGrid* mesh;
-    Point2d shift; ///< canvas px by which it is seen beside its own place
-};
 
 /** @brief How far each quad lies from what a neighbour shows too: px of the image, between centres; 0 in the overlap.
 

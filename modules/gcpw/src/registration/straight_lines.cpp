@@ -96,6 +96,16 @@ std::vector<Segment> findStraightLines(const Mat& image, const Mat& mask)
                         LEAST_LINE * std::hypot(gray.cols, gray.rows));
 }
 
+std::vector<Segment> bordersOf(Size image)
+{
+    const Point2d corners[] = {Point2d(0, 0), Point2d(image.width - 1, 0), Point2d(image.width - 1, image.height - 1),
+                               Point2d(0, image.height - 1)};
+    std::vector<Segment> borders;
+    for (int k = 0; k < 4; ++k)
+        borders.push_back({corners[k], corners[(k + 1) % 4]});
+    return borders;
+}
+
 std::vector<Segment> joinSegments(const std::vector<Segment>& segments, double min_length)
 {
     std::vector<Segment> left;

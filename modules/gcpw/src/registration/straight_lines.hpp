@@ -16,6 +16,9 @@ namespace gcpw
 @param image CV_8UC3  @param mask CV_8UC1 of its size, lines only where non-zero; empty means everywhere */
 std::vector<Segment> findStraightLines(const Mat& image, const Mat& mask);
 
+/// The four borders of an image, through the centres of its outermost pixels, in its pixels.
+std::vector<Segment> bordersOf(Size image);
+
 /** @brief The long straight lines that an image shows in pieces: segments on one line are joined, and of lines side by side the
 longest stands for all.
 @param segments reference px, in any direction

@@ -12,7 +12,7 @@ namespace cv
 namespace gcpw
 {
 
-/** @brief The straight lines of a photograph as curves of its picture on the canvas.
+/** @brief The straight lines and the borders of a photograph as curves of its picture on the canvas.
 
 They are looked for before the base warper bends them.
 @param corner canvas position of the picture's top-left pixel

@@ -36,6 +36,9 @@ struct CV_EXPORTS KnownLines
     /// Each the image of one straight edge: two points or more in order, finite, pixels of the image as given. Bent where the
     /// warp onto the canvas has bent it.
     std::vector<std::vector<Point2f>> curves;
+    /// The borders of the photograph, in the same form. They are held only where no other image shows them: there they are borders of
+    /// the picture, too.
+    std::vector<std::vector<Point2f>> borders;
 };
 
 /** @brief Refines roughly aligned images on a canvas: meshes and colours of all of them in one problem.
@@ -70,7 +73,7 @@ public:
     @param progress may be empty; cancelling returns the rough alignment with Status::CANCELLED
     @param keypoints one entry for each image, or none; where an entry is empty, they are found here
     @param lines one entry for each image, or none: then line segments are looked for in the images as they are, which finds long
-    lines in pieces where a warp has bent them
+    lines in pieces where a warp has bent them, and images without a mask end at their borders
     @return one image for each of those given; where the refinement failed, undeformed meshes and a status other than OK
     @throws cv::Exception before any work, if counts, sizes or types do not fit, a value is not finite, the canvas would exceed
     2^20 px a side or Params::canvasPeriod is narrower than an image */

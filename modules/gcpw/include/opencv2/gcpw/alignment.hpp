@@ -195,8 +195,7 @@ public:
 
     /** @brief Reads what save() wrote.
 
-    Damaged files are refused, also where OpenCV's parser would crash; of compressed ones (.gz) it reads whatever they hold, so that
-    these should come from somebody you trust.
+    Damaged files are refused, also where OpenCV's parser would crash, and compressed ones (.gz) of more than 256 MB of text.
     @param path of the file
     @return equal to what was saved
     @throws cv::Exception StsError if there is no such file, StsParseError if it is not an alignment; both name the file */

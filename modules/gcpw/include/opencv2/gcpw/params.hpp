@@ -142,8 +142,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// the overlap alone. Typical: 0.1..3. default 0.3
     CV_PROP_RW double outsideWeight;
     /// Weight of a squared bend in px^2 of what is straight in the photographs, at one sample, >= 0; not in the paper. Long line
-    /// segments of every image, matched or not, may shift and turn but stay as straight as the rough alignment has them. Larger
-    /// values hold them more strictly. 0: lines bend with the mesh. Typical: 1..20. default 4
+    /// segments of every image, matched or not, and the borders of photographs where no other image shows them, may shift and turn but
+    /// stay as straight as the rough alignment has them. Larger values hold them more strictly. 0: lines bend with the mesh.
+    /// Typical: 1..20. default 8
     CV_PROP_RW double straightnessWeight;
     /// lambda_4, weight of a squared difference of the colours of adjacent quads (eq. colorterm), > 0. Larger values make the
     /// colour correction smoother; the paper's 1 lets gains collapse in quads without texture. Typical: 10..300. default 100
@@ -164,7 +165,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// Typical: 2..10. default 5
     CV_PROP_RW double lineStep;
     /// Levels of the Gaussian pyramid, 1..8, each half as large as the one below. More levels bridge larger misalignment of the
-    /// pixels. Typical: 2..4. default 3
+    /// pixels; images too small for a level have fewer. Typical: 2..5; the paper has 3. default 4
     CV_PROP_RW int pyramidLevels;
     //! @}
 
@@ -203,7 +204,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double matchScale;
     /// Weight of a squared distance in px^2 of each corner of a quad from where matches alone had put it, >= 0. It acts only on
     /// quads that the pixels made worse (revertRatio). Larger values put them back more strictly. 0: they stay where the pixels
-    /// put them. Typical: 0.3..3. default 1
+    /// put them, and bend more around them. Typical: 0.03..3. default 0.1
     CV_PROP_RW double anchorWeight;
     /// By which factor the mean squared decorrelation (1 - NCC) of a quad may rise before anchorWeight acts on it, >= 1. Larger
     /// values let pixels decide more often. Ignored where anchorWeight is 0. Typical: 1..1.5. default 1.05

@@ -71,8 +71,7 @@ struct CV_EXPORTS_W_SIMPLE Rig
 
     /** @brief Reads what save() wrote.
 
-    Damaged files are refused, also where OpenCV's parser would crash; of compressed ones (.gz) it reads whatever they hold, so that
-    these should come from somebody you trust.
+    Damaged files are refused, also where OpenCV's parser would crash, and compressed ones (.gz) of more than 256 MB of text.
     @param path of the file
     @return equal to what was saved
     @throws cv::Exception StsError if there is no such file, StsParseError if it is not a rig; both name the file */
