@@ -77,15 +77,25 @@ double meanGain(const std::vector<ColorGrid>& colors, int channel)
     return sum / (static_cast<double>(colors.size()) * LATTICE.cellCount());
 }
 
-TEST(Gcpw_ColorBalance, photographs_of_one_scene_agree_afterwards)
+TEST(Gcpw_ColorBalance, photographs_of_one_scene_agree_with_the_reference)
 {
     const Trio trio({1, 0.7, 1.2}, {0, 0.08, -0.05}, true);
     const std::vector<ColorGrid> untouched(3, ColorGrid(LATTICE));
-    const std::vector<ColorGrid> colors = trio.balanced();
+    const std::vector<ColorGrid> colors = trio.balanced(0);
     EXPECT_GT(trio.difference(untouched), 0.03);
     EXPECT_LT(trio.difference(colors), 0.003);
     for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
         EXPECT_NEAR(colors[1].quad(cell)[0].gain / colors[0].quad(cell)[0].gain, 1 / 0.7, 0.1);
+}
+
+TEST(Gcpw_ColorBalance, without_a_reference_they_come_closer_and_black_stays_black)
+{
+    const Trio trio({1, 0.7, 0.9}, {0, 0, 0}, true);
+    const std::vector<ColorGrid> colors = trio.balanced();
+    EXPECT_LT(trio.difference(colors), 0.4 * trio.difference(std::vector<ColorGrid>(3, ColorGrid(LATTICE))));
+    for (const ColorGrid& grid : colors)
+        for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
+            EXPECT_LT(grid.quad(cell)[0].bias, 8.0 / 255) << cell;
 }
 
 TEST(Gcpw_ColorBalance, a_light_that_varies_over_a_photograph_is_followed)

@@ -12,6 +12,7 @@
 #include "color/exposures.hpp"
 #include "color/tone_limits.hpp"
 #include "energy/color_smoothness_term.hpp"
+#include "overlap/tone.hpp"
 #include "solver/color_system.hpp"
 #include "solver/robust_loss.hpp"
 
@@ -28,6 +29,10 @@ const double REST = 0.2;         ///< of the prior of a compared quad is that of
 const double DEVIATIONS = 10;    ///< robust standard deviations: wide, as light may differ from place to place
 const double HUE = 0.7;             ///< weight of Cr and Cb against Y: a tint of a part is seen sooner than a step of hue at a cut
 const double TINT = 30.0 / 255;  ///< local difference of hue beyond which two images show two things, not two lights
+/// Weights of E_k, in Params::balanceWeight: beside a comparison of means at 1/3 of the range they are about 1/15, 1/20 and 1.
+const double KEEP_LIGHT = 2;  ///< of the gain of Y
+const double KEEP_HUE = 10;   ///< of a shift of Cr and Cb
+const double KEEP_BLACK = 30; ///< of a bias of Y, and of a gain of Cr and Cb of the quad's own
 const double MIN_VARIANCE = 1e-5; ///< of an intensity: noise of 8-bit images, no contrast to compare
 
 /// How much one comparison of two quads counts in Y, and in Cr and Cb.
@@ -114,7 +119,8 @@ public:
             const std::vector<bool>& fixed, const Params& params)
         : params_(params), fixed_(fixed), comparisons_(compareColors(overlaps, state)), likeness_(likenessOf(comparisons_)),
           gray_(grayImages(comparisons_, state.size())), group_(groupsOf(comparisons_, state.size())),
-          exposures_(estimateExposures(comparisons_, fixed))
+          referenced_(std::find(fixed.begin(), fixed.end(), true) != fixed.end()),
+          exposures_(referenced_ ? estimateExposures(comparisons_, fixed) : sharedLights(comparisons_, state.size()))
     {
         for (size_t i = 0; i < state.size(); ++i)
         {
@@ -146,6 +152,27 @@ public:
     }
 
 private:
+    /// E_k: draws the colours of an image to those of its photograph.
+    void addKeeping(int image, double weight, ColorSystem& system) const
+    {
+        const ColorGrid::Quad& kept = exposures_[image];
+        for (int cell = 0; cell < lattices_[image].cellCount(); ++cell)
+        {
+            const ColorGrid::Quad& now = colors_[image].quad(cell);
+            SampleColor sums;
+            sums.color_color[0] = {{KEEP_LIGHT * weight, 0, KEEP_BLACK * weight}};
+            sums.color_gradient[0] = {{KEEP_LIGHT * weight * (now[0].gain - kept[0].gain), KEEP_BLACK * weight * (now[0].bias - kept[0].bias)}};
+            for (int c = 1; c < CHANNELS; ++c)
+            {
+                const double gain = now[c].gain - kept[c].gain;
+                const double shift = NEUTRAL * gain + now[c].bias - kept[c].bias; // of gray
+                sums.color_color[c] = {{weight * (KEEP_BLACK + NEUTRAL * NEUTRAL * KEEP_HUE), weight * NEUTRAL * KEEP_HUE, weight * KEEP_HUE}};
+                sums.color_gradient[c] = {{weight * (KEEP_BLACK * gain + NEUTRAL * KEEP_HUE * shift), weight * KEEP_HUE * shift}};
+            }
+            system.addSamples({image, cell}, sums, now);
+        }
+    }
+
     SolveStatus solve()
     {
         const size_t count = colors_.size();
@@ -158,11 +185,16 @@ private:
             weights.push_back(params_.balanceWeight * lattice.cellSize().area() * whole);
             rest.push_back(std::max(params_.colorRestWeight, REST * weights.back()));
         }
-        const std::vector<ColorPriors> priors = colorPriors(comparisons_, lattices_, {weights, exposures_}, {rest, exposures_});
+        std::vector<ColorPriors> priors(count);
+        if (referenced_)
+            priors = colorPriors(comparisons_, lattices_, {weights, exposures_}, {rest, exposures_});
         for (size_t i = 0; i < count; ++i)
         {
             ColorSmoothnessTerm(static_cast<int>(i), lattices_[i], params_.colorSmoothnessWeight).addTo(system);
-            ColorPriorTerm(static_cast<int>(i), priors[i]).addTo(system);
+            if (referenced_)
+                ColorPriorTerm(static_cast<int>(i), priors[i]).addTo(system);
+            else
+                addKeeping(static_cast<int>(i), weights[i], system);
         }
         addComparisons(system);
         return system.solve(colors_);
@@ -199,7 +231,8 @@ private:
                 {
                     const ChannelWeights weights = weightsOf(pair.moments, agreement[k][q].moments, source.image, target.image);
                     comparison.addMeans(pair.moments, weights);
-                    comparison.addContrasts(pair.moments, weights);
+                    if (referenced_)
+                        comparison.addContrasts(pair.moments, weights);
                 }
                 if (pair.clipped.samples() > 0) // they have lost their contrast
                     comparison.addMeans(pair.clipped, weightsOf(pair.clipped, agreement[k][q].clipped, source.image, target.image));
@@ -214,6 +247,7 @@ private:
     QuadWeights likeness_;
     std::vector<bool> gray_;
     std::vector<int> group_;
+    bool referenced_; ///< an image is fixed, and the others take its light
     std::vector<ColorGrid::Quad> exposures_;
     std::vector<Lattice> lattices_;
     std::vector<PhotographTone> tones_;

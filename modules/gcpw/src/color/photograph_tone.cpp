@@ -16,9 +16,10 @@ namespace
 
 const int STEP = 3; ///< px: a tenth of the pixels says enough
 const float DARK = 24.0F / 255;
-const float MARGIN = 3.0F / 255; ///< shown bilinearly, in 8 bits, and at another resolution
+const float MARGIN = 2.0F / 255; ///< shown bilinearly, in 8 bits, and at another resolution
 const double BACK = 3;           ///< of what a pixel has lost at most: one that stands within the margin already needs nothing
 const float BLACK = 4.0F / 255;
+const double FADED = 25.0 / 255; ///< beyond the range: a blue sky whose blue is at its limit turns white with more of the others
 const float WHITE = 250.0F / 255;
 const double LEAST_REACH = 0.25; ///< of a lift or a lowering: a dark pixel is far from white, a bright one from black
 
@@ -43,7 +44,7 @@ PhotographTone::PhotographTone(const PyramidLevel& level, const Lattice& lattice
         }
 }
 
-std::vector<ToneNeed> PhotographTone::needs(const ColorGrid& colors) const
+std::vector<ToneNeed> PhotographTone::needs(const ColorGrid& colors, bool keep_saturated) const
 {
     std::vector<ToneNeed> needs(cells_.size());
     for (const Pixel& pixel : pixels_)
@@ -59,10 +60,19 @@ std::vector<ToneNeed> PhotographTone::needs(const ColorGrid& colors) const
         need.lift = std::max(need.lift, missing / std::max(1 - luma, LEAST_REACH));
         if (pixel.darkest > WHITE)
             continue; // white before, white afterwards
-        const double excess = std::min(darkest - (WHITE - MARGIN), BACK * (darkest - pixel.darkest));
+        const double faded = keep_saturated ? brightest - std::max(1.0F, pixel.brightest) - FADED : 0;
+        const double excess = std::max(faded, std::min(darkest - (WHITE - MARGIN), BACK * (darkest - pixel.darkest)));
         need.lower = std::max(need.lower, excess / std::max(luma, LEAST_REACH));
     }
     return needs;
+}
+
+double PhotographTone::light() const
+{
+    double sum = 0;
+    for (const Cell& cell : cells_)
+        sum += cell.sum[0];
+    return sum;
 }
 
 Vec3d PhotographTone::change(int cell, const ColorGrid::Quad& map) const

@@ -29,12 +29,15 @@ public:
     /** @brief What the pixels of each quad need under these colours.
 
     A pixel is crushed if its brightest channel falls below 24 gray levels and was not there before, or to 0; blown if its darkest
-    channel rises above 250 and was not there before. */
-    std::vector<ToneNeed> needs(const ColorGrid& colors) const;
+    channel rises above 250 and was not there before.
+    @param keep_saturated so that no pixel's brightest channel rises far above 255 either: a saturated colour would fade to white */
+    std::vector<ToneNeed> needs(const ColorGrid& colors, bool keep_saturated) const;
 
     /// Sum over the pixels of a quad of (corrected - photographed), per channel.
     Vec3d change(int cell, const ColorGrid::Quad& map) const;
     Vec3d change(const ColorGrid& colors) const;
+
+    double light() const; ///< sum of Y
 
     double pixels(int cell) const { return cells_[cell].pixels; }
     double pixels() const { return static_cast<double>(pixels_.size()); }

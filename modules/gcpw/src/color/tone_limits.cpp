@@ -16,7 +16,8 @@ namespace
 
 const int ROUNDS = 8;           ///< of limits and means in turn: each raises what the other lowers, less every time
 const int SPREADS = 2;          ///< over neighbours, then over other images
-const double SLOPE = 1.0 / 255; ///< of what a quad needs, per quad away from it
+const double SLOPE = 5.0 / 255; ///< of what a quad needs, per quad away from it: less takes the contrast of whole photographs for one lamp
+const double DARKEST_MEAN = 0.02; ///< of a photograph that can be scaled
 const double TINT = 4.5 / 255;  ///< of a quad against its image: more is seen
 
 typedef std::vector<ToneNeed> Needs; ///< of the quads of an image
@@ -75,11 +76,12 @@ void limitTint(const PhotographTone& tone, ColorGrid& colors)
 std::vector<ColorGrid> limited(const std::vector<PhotographTone>& tones, const std::vector<ColorComparison>& comparisons,
                                const std::vector<bool>& fixed, std::vector<ColorGrid> colors)
 {
+    const bool referenced = std::find(fixed.begin(), fixed.end(), true) != fixed.end(); // its light is to be taken
     std::vector<Needs> needs(tones.size());
     parallel_for_(Range(0, static_cast<int>(tones.size())), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; ++i)
-            needs[i] = fixed[i] ? Needs(colors[i].lattice().cellCount()) : tones[i].needs(colors[i]);
+            needs[i] = fixed[i] ? Needs(colors[i].lattice().cellCount()) : tones[i].needs(colors[i], !referenced);
     });
     for (int k = 0; k < SPREADS; ++k)
     {
@@ -123,7 +125,7 @@ Vec3d meanChange(int group, const std::vector<PhotographTone>& tones, const Tone
     return change;
 }
 
-/// Shifts `colors` by what `shown` has changed by.
+/// Scales Y, so that black stays black, and shifts Cr and Cb of `colors` by what `shown` has changed by.
 void keepMeans(const std::vector<PhotographTone>& tones, const ToneGauge& gauge, const std::vector<ColorGrid>& shown,
                std::vector<ColorGrid>& colors)
 {
@@ -131,10 +133,23 @@ void keepMeans(const std::vector<PhotographTone>& tones, const ToneGauge& gauge,
     for (int group = 0; group < count; ++group)
     {
         const Vec3d change = meanChange(group, tones, gauge, shown);
+        double light = 0;
+        double pixels = 0;
+        for (int i = 0; i < count; ++i)
+            if (gauge.group[i] == group)
+            {
+                light += tones[i].light();
+                pixels += tones[i].pixels();
+            }
+        const double factor = 1 - change[0] / std::max(light / std::max(pixels, 1.0) + change[0], DARKEST_MEAN);
         for (int i = 0; i < count; ++i)
             for (int cell = 0; gauge.group[i] == group && cell < colors[i].lattice().cellCount(); ++cell)
-                for (int c = 0; c < (gauge.gray[i] ? 1 : CHANNELS); ++c)
-                    colors[i].quad(cell)[c].bias -= change[c];
+            {
+                ColorGrid::Quad& map = colors[i].quad(cell);
+                map[0] = {factor * map[0].gain, factor * map[0].bias};
+                for (int c = 1; c < (gauge.gray[i] ? 1 : CHANNELS); ++c)
+                    map[c].bias -= change[c];
+            }
     }
 }
 
@@ -158,7 +173,7 @@ void limitTones(const std::vector<PhotographTone>& tones, const std::vector<Colo
 
 void limitExtremes(const PhotographTone& tone, ColorGrid& colors)
 {
-    Needs needs = tone.needs(colors);
+    Needs needs = tone.needs(colors, false);
     spread(colors.lattice(), needs);
     meet(needs, colors);
 }

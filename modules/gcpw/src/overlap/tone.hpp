@@ -11,6 +11,8 @@ namespace cv
 namespace gcpw
 {
 
+const double NEUTRAL = 0.5; ///< Cr and Cb of gray
+
 /// How far the brightest and the darkest of B, G and R are from Y, >= 0; intensities in [0, 1].
 struct ToneSpread
 {
@@ -20,9 +22,9 @@ struct ToneSpread
 
 inline ToneSpread toneSpread(double cr, double cb)
 {
-    const double red = 1.403 * (cr - 0.5);
-    const double green = -0.714 * (cr - 0.5) - 0.344 * (cb - 0.5);
-    const double blue = 1.773 * (cb - 0.5);
+    const double red = 1.403 * (cr - NEUTRAL);
+    const double green = -0.714 * (cr - NEUTRAL) - 0.344 * (cb - NEUTRAL);
+    const double blue = 1.773 * (cb - NEUTRAL);
     return {std::max(std::max(red, green), std::max(blue, 0.0)), std::max(std::max(-red, -green), std::max(-blue, 0.0))};
 }
 
