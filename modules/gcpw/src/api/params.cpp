@@ -106,7 +106,7 @@ Params::Params()
     robustScale = 2;
     gainSupport = 3;
     matchScale = 2;
-    anchorWeight = 0.1;
+    anchorWeight = 0.5;
     revertRatio = 1.05;
     restWeight = 0.01;
     exposureWeight = 8;

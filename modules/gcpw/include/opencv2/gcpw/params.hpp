@@ -204,7 +204,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double matchScale;
     /// Weight of a squared distance in px^2 of each corner of a quad from where matches alone had put it, >= 0. It acts only on
     /// quads that the pixels made worse (revertRatio). Larger values put them back more strictly. 0: they stay where the pixels
-    /// put them, and bend more around them. Typical: 0.03..3. default 0.1
+    /// put them, and bend more around them. Typical: 0.03..3. default 0.5
     CV_PROP_RW double anchorWeight;
     /// By which factor the mean squared decorrelation (1 - NCC) of a quad may rise before anchorWeight acts on it, >= 1. Larger
     /// values let pixels decide more often. Ignored where anchorWeight is 0. Typical: 1..1.5. default 1.05
