@@ -125,7 +125,8 @@ int hiddenSamples(const Segment& segment, const Mat& mask)
         for (int side = -2; side <= 2; side += 2)
         {
             const Point2d p = segment.at(k / 100.0) + side * Point2d(-d.y, d.x);
-            hidden += mask.at<uchar>(cvRound(p.y), cvRound(p.x)) == 0;
+            const Point pixel(cvRound(p.x), cvRound(p.y));
+            hidden += Rect(Point(), mask.size()).contains(pixel) && mask.at<uchar>(pixel) == 0;
         }
     return hidden;
 }
