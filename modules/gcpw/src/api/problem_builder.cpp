@@ -24,7 +24,7 @@ namespace
 
 const double BORDER_STEP = 4;      ///< px between the places where it is looked whether another image shows a border
 const double LEAST_BORDER = 0.05;  ///< of the diagonal: a shorter piece of a border is not seen to bend
-const double BORDER_MARGIN = 0.05; ///< of the diagonal: what another image covers by no more may come to light as meshes move
+const double BORDER_MARGIN = 0.05; ///< of the diagonal: what is covered by no more may come to light as meshes move
 
 std::vector<Curve> toCurves(const std::vector<Segment>& segments)
 {
@@ -133,7 +133,8 @@ void ProblemBuilder::keepBorders(const std::vector<Curve>& borders, int i)
     const double diagonal = std::hypot(size.width, size.height);
     const std::vector<Neighbour> neighbours = neighboursOf(i);
     for (const Curve& border : borders)
-        for (const Curve& part : partsOutside(border, image.rough, neighbours, BORDER_STEP, LEAST_BORDER * diagonal, BORDER_MARGIN * diagonal))
+        for (const Curve& part : partsOutside(border, image.rough, neighbours, BORDER_STEP, LEAST_BORDER * diagonal,
+                                              BORDER_MARGIN * diagonal))
             image.straight.push_back(part);
 }
 

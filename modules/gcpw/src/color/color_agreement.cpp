@@ -97,9 +97,9 @@ QuadWeights agreementOf(const std::vector<ColorComparison>& comparisons, const Q
         for (size_t q = 0; q < comparison.quads.size(); ++q)
         {
             const QuadColors& quads = comparison.quads[q];
-            const double difference = differenceOf(quads.moments, colors(comparison.source_image, quads.source_cell),
-                                                   colors(comparison.target_image, quads.target_cell),
-                                                   comparableChannels(comparison, gray));
+            const double difference =
+                differenceOf(quads.moments, colors(comparison.source_image, quads.source_cell),
+                             colors(comparison.target_image, quads.target_cell), comparableChannels(comparison, gray));
             differences.emplace_back(difference, likeness[k][q].moments * quads.moments.samples());
         }
         const RobustLoss loss(deviations * std::max(NORMAL * weightedMedian(differences), LEAST_DEVIATION));

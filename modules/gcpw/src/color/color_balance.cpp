@@ -30,9 +30,9 @@ const double DEVIATIONS = 10;    ///< robust standard deviations: wide, as light
 const double HUE = 0.7;             ///< weight of Cr and Cb against Y: a tint of a part is seen sooner than a step of hue at a cut
 const double TINT = 30.0 / 255;  ///< local difference of hue beyond which two images show two things, not two lights
 /// Weights of E_k, in Params::balanceWeight: beside a comparison of means at 1/3 of the range they are about 1/15, 1/20 and 1.
-const double KEEP_LIGHT = 2;  ///< of the gain of Y
-const double KEEP_HUE = 10;   ///< of a shift of Cr and Cb
-const double KEEP_BLACK = 30; ///< of a bias of Y, and of a gain of Cr and Cb of the quad's own
+const double KEEP_LIGHT = 2;      ///< of the gain of Y
+const double KEEP_HUE = 10;       ///< of a shift of Cr and Cb
+const double KEEP_BLACK = 30;     ///< of a bias of Y, and of a gain of Cr and Cb of the quad's own
 const double MIN_VARIANCE = 1e-5; ///< of an intensity: noise of 8-bit images, no contrast to compare
 
 /// How much one comparison of two quads counts in Y, and in Cr and Cb.
@@ -117,8 +117,9 @@ class Balance
 public:
     Balance(const std::vector<PyramidLevel>& images, const std::vector<OverlapSamples>& overlaps, const State& state,
             const std::vector<bool>& fixed, const Params& params)
-        : params_(params), fixed_(fixed), comparisons_(compareColors(overlaps, state)), likeness_(likenessOf(comparisons_)),
-          gray_(grayImages(comparisons_, state.size())), group_(groupsOf(comparisons_, state.size())),
+        : params_(params), fixed_(fixed), comparisons_(compareColors(overlaps, state)),
+          likeness_(likenessOf(comparisons_)), gray_(grayImages(comparisons_, state.size())),
+          group_(groupsOf(comparisons_, state.size())),
           referenced_(std::find(fixed.begin(), fixed.end(), true) != fixed.end()),
           exposures_(referenced_ ? estimateExposures(comparisons_, fixed) : sharedLights(comparisons_, state.size()))
     {
@@ -161,13 +162,16 @@ private:
             const ColorGrid::Quad& now = colors_[image].quad(cell);
             SampleColor sums;
             sums.color_color[0] = {{KEEP_LIGHT * weight, 0, KEEP_BLACK * weight}};
-            sums.color_gradient[0] = {{KEEP_LIGHT * weight * (now[0].gain - kept[0].gain), KEEP_BLACK * weight * (now[0].bias - kept[0].bias)}};
+            sums.color_gradient[0] = {{KEEP_LIGHT * weight * (now[0].gain - kept[0].gain),
+                                       KEEP_BLACK * weight * (now[0].bias - kept[0].bias)}};
             for (int c = 1; c < CHANNELS; ++c)
             {
                 const double gain = now[c].gain - kept[c].gain;
                 const double shift = NEUTRAL * gain + now[c].bias - kept[c].bias; // of gray
-                sums.color_color[c] = {{weight * (KEEP_BLACK + NEUTRAL * NEUTRAL * KEEP_HUE), weight * NEUTRAL * KEEP_HUE, weight * KEEP_HUE}};
-                sums.color_gradient[c] = {{weight * (KEEP_BLACK * gain + NEUTRAL * KEEP_HUE * shift), weight * KEEP_HUE * shift}};
+                sums.color_color[c] = {{weight * (KEEP_BLACK + NEUTRAL * NEUTRAL * KEEP_HUE),
+                                        weight * NEUTRAL * KEEP_HUE, weight * KEEP_HUE}};
+                sums.color_gradient[c] = {
+                    {weight * (KEEP_BLACK * gain + NEUTRAL * KEEP_HUE * shift), weight * KEEP_HUE * shift}};
             }
             system.addSamples({image, cell}, sums, now);
         }

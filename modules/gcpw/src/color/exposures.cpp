@@ -20,9 +20,9 @@ const double GAUGE = 1e-3; ///< share of an overlap: chooses among exposures tha
 const double NOISE_VARIANCE = 1e-4; ///< of an intensity: the ratio of less contrast is noise
 /// Of Cr and Cb: with less contrast they scale as Y does, as with a longer exposure. A gain of their own tints what is strongly coloured.
 const double COLORFUL_VARIANCE = 5e-3;
-const double LEAST_LIGHT = 0.02;  ///< of an intensity, added to means whose ratio is taken: that of two blacks is noise
-const double LIGHT_SHARE = 0.3;   ///< of the logarithm of a gain; cv::detail::GainCompensator leaves about as much
-const double HUE_SHARE = 0.2;     ///< of a shift of Cr and Cb
+const double LEAST_LIGHT = 0.02; ///< of an intensity, added to means whose ratio is taken: that of two blacks is noise
+const double LIGHT_SHARE = 0.3;  ///< of the logarithm of a gain; cv::detail::GainCompensator leaves about as much
+const double HUE_SHARE = 0.2;    ///< of a shift of Cr and Cb
 const double DEVIATIONS = 2.5; ///< robust standard deviations beyond which a quad does not show the exposures
 const int ROUNDS = 10;         ///< of re-weighting
 
@@ -145,7 +145,8 @@ std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons
 }
 
 /// The exposures that fit the quads which show them, and the moments of those.
-std::vector<ColorGrid::Quad> robustExposures(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed, MomentsOfPairs& moments)
+std::vector<ColorGrid::Quad> robustExposures(const std::vector<ColorComparison>& comparisons,
+                                             const std::vector<bool>& fixed, MomentsOfPairs& moments)
 {
     const std::vector<bool> gray = grayImages(comparisons, fixed.size());
     const QuadWeights likeness = likenessOf(comparisons);
@@ -162,7 +163,8 @@ std::vector<ColorGrid::Quad> robustExposures(const std::vector<ColorComparison>&
 
 } // namespace
 
-std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed)
+std::vector<ColorGrid::Quad> estimateExposures(const std::vector<ColorComparison>& comparisons,
+                                               const std::vector<bool>& fixed)
 {
     MomentsOfPairs moments;
     return robustExposures(comparisons, fixed, moments);
@@ -178,12 +180,15 @@ std::vector<ColorGrid::Quad> sharedLights(const std::vector<ColorComparison>& co
     std::vector<double> found;
     for (int c = 0; c < CHANNELS; ++c)
     {
-        const auto comparable = [&](size_t k) { return moments[k].samples() > 0 && c < comparableChannels(comparisons[k], gray); };
+        const auto comparable = [&](size_t k)
+        { return moments[k].samples() > 0 && c < comparableChannels(comparisons[k], gray); };
         Differences log_gains(fixed);
         for (size_t k = 0; k < comparisons.size(); ++k)
             if (comparable(k))
-                log_gains.add(comparisons[k].source_image, comparisons[k].target_image,
-                              std::log((moments[k].targetMean(0) + LEAST_LIGHT) / (moments[k].sourceMean(0) + LEAST_LIGHT)), moments[k].samples());
+                log_gains.add(
+                    comparisons[k].source_image, comparisons[k].target_image,
+                    std::log((moments[k].targetMean(0) + LEAST_LIGHT) / (moments[k].sourceMean(0) + LEAST_LIGHT)),
+                    moments[k].samples());
         if (!log_gains.solve(found))
             continue;
         std::vector<double> gains;
@@ -195,7 +200,10 @@ std::vector<ColorGrid::Quad> sharedLights(const std::vector<ColorComparison>& co
             const int a = comparisons[k].source_image;
             const int b = comparisons[k].target_image;
             if (comparable(k))
-                shifts.add(a, b, gains[b] * (moments[k].targetMean(c) - NEUTRAL) - gains[a] * (moments[k].sourceMean(c) - NEUTRAL), moments[k].samples());
+                shifts.add(a, b,
+                           gains[b] * (moments[k].targetMean(c) - NEUTRAL) -
+                               gains[a] * (moments[k].sourceMean(c) - NEUTRAL),
+                           moments[k].samples());
         }
         if (!shifts.solve(found))
             continue;

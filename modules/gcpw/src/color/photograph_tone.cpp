@@ -19,7 +19,8 @@ const float DARK = 24.0F / 255;
 const float MARGIN = 2.0F / 255; ///< shown bilinearly, in 8 bits, and at another resolution
 const double BACK = 3;           ///< of what a pixel has lost at most: one that stands within the margin already needs nothing
 const float BLACK = 4.0F / 255;
-const double FADED = 25.0 / 255; ///< beyond the range: a blue sky whose blue is at its limit turns white with more of the others
+const double FADED =
+    25.0 / 255; ///< beyond the range: a blue sky whose blue is at its limit turns white with more of the others
 const float WHITE = 250.0F / 255;
 const double LEAST_REACH = 0.25; ///< of a lift or a lowering: a dark pixel is far from white, a bright one from black
 

@@ -41,7 +41,8 @@ void addTriangle(const MeshGrid& rough, int cell, const int (&corners)[3], QuadB
 /// Energy of a quad at a mesh, and half its slope.
 double slope(const QuadBlock& block, const MeshGrid& mesh, int cell, QuadRow& gradient)
 {
-    return quadForm(block, {{mesh.vertex(cell, 0), mesh.vertex(cell, 1), mesh.vertex(cell, 2), mesh.vertex(cell, 3)}}, gradient);
+    return quadForm(block, {{mesh.vertex(cell, 0), mesh.vertex(cell, 1), mesh.vertex(cell, 2), mesh.vertex(cell, 3)}},
+                    gradient);
 }
 
 } // namespace

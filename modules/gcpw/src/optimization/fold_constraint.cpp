@@ -16,7 +16,8 @@ namespace
 
 const int PATIENCE = 8;    ///< halvings of a vertex before it is stopped
 const int MAX_ROUNDS = 40; ///< then nothing moves
-const double STIFFEN = 12;     ///< factor on the damping of a quad that a step would still fold: a few of them outweigh any term
+const double STIFFEN =
+    12; ///< factor on the damping of a quad that a step would still fold: a few of them outweigh any term
 const double MAX_FACTOR = 1e5; ///< a quad this stiff moves as one piece; more would spoil the conditioning
 
 } // namespace

@@ -161,7 +161,8 @@ GaussNewton::End GaussNewton::run(Energy& energy, State& state, const Rules& rul
         // search checks the step.
         if (stiffenedStep(state, step) == SolveStatus::NotPositiveDefinite)
             return End::Singular;
-        if (rules.colors && system_.solveColorsAfter(foldFree(state, step, 1), colors) == SolveStatus::NotPositiveDefinite)
+        if (rules.colors &&
+            system_.solveColorsAfter(foldFree(state, step, 1), colors) == SolveStatus::NotPositiveDefinite)
             return End::Singular;
         ++report.iterations;
         report.stop = StopReason::NO_DESCENT;

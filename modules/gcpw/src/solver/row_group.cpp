@@ -46,7 +46,8 @@ SparseColumn weightedSum(const Lattice& lattice, const std::vector<GroupRow>& ro
             terms.push_back({2 * lattice.vertexOf(rows[first].cell, i >> 1) + (i & 1), sum[static_cast<size_t>(i)]});
         first = k;
     }
-    std::stable_sort(terms.begin(), terms.end(), [](const SparseEntry& a, const SparseEntry& b) { return a.index < b.index; });
+    std::stable_sort(terms.begin(), terms.end(),
+                     [](const SparseEntry& a, const SparseEntry& b) { return a.index < b.index; });
     SparseColumn column;
     for (const SparseEntry& term : terms)
         if (!column.empty() && column.back().index == term.index)

@@ -9,13 +9,13 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include "cameras/picture_shape.hpp"
+#include "opencv2/gcpw/aligner.hpp"
+#include "opencv2/gcpw/rig.hpp"
 #include "rendering/remap_tiled.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/seam_rotation.hpp"
 #include "stitching/warped_lines.hpp"
 #include "stitching/warper_names.hpp"
-#include "opencv2/gcpw/aligner.hpp"
-#include "opencv2/gcpw/rig.hpp"
 
 namespace cv
 {
