@@ -16,9 +16,8 @@ namespace
 
 const int ROUNDS = 8;           ///< of limits and means in turn: each raises what the other lowers, less every time
 const int SPREADS = 2;          ///< over neighbours, then over other images
-const double SLOPE =
-    5.0 /
-    255; ///< of what a quad needs, per quad away from it: less takes the contrast of whole photographs for one lamp
+/// Of what a quad needs, per quad away from it: less takes the contrast of whole photographs for one lamp.
+const double SLOPE = 5.0 / 255;
 const double DARKEST_MEAN = 0.02; ///< of a photograph that can be scaled
 const double TINT = 4.5 / 255;  ///< of a quad against its image: more is seen
 

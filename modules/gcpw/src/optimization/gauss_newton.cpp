@@ -110,14 +110,15 @@ MeshStep GaussNewton::foldFree(const State& state, const MeshStep& step, double 
     return part;
 }
 
-/// The longest of a few lengths of a step that does not raise the energy; false if there is none.
-bool GaussNewton::search(const Energy& energy, const MeshStep& step, const std::vector<ColorGrid>& colors, double before,
-                         State& state, std::vector<TermEnergy>& found, double& motion) const
+/// The longest of a few lengths of a step that does not raise the energy; false if there is none. `whole` is foldFree() of all of it.
+bool GaussNewton::search(const Energy& energy, const MeshStep& step, const MeshStep& whole,
+                         const std::vector<ColorGrid>& colors, double before, State& state,
+                         std::vector<TermEnergy>& found, double& motion) const
 {
     double length = 1;
     for (int halving = 0; halving <= MAX_HALVINGS; ++halving, length *= 0.5)
     {
-        const MeshStep part = foldFree(state, step, length);
+        const MeshStep part = halving == 0 ? whole : foldFree(state, step, length);
         State next = state;
         motion = 0;
         for (size_t i = 0; i < state.size(); ++i)
@@ -161,14 +162,14 @@ GaussNewton::End GaussNewton::run(Energy& energy, State& state, const Rules& rul
         // search checks the step.
         if (stiffenedStep(state, step) == SolveStatus::NotPositiveDefinite)
             return End::Singular;
-        if (rules.colors &&
-            system_.solveColorsAfter(foldFree(state, step, 1), colors) == SolveStatus::NotPositiveDefinite)
+        const MeshStep whole = foldFree(state, step, 1);
+        if (rules.colors && system_.solveColorsAfter(whole, colors) == SolveStatus::NotPositiveDefinite)
             return End::Singular;
         ++report.iterations;
         report.stop = StopReason::NO_DESCENT;
         std::vector<TermEnergy> found;
         double motion = 0;
-        if (!search(energy, step, colors, before, state, found, motion))
+        if (!search(energy, step, whole, colors, before, state, found, motion))
             return End::Done;
         report.end = found;
         report.stop = StopReason::MESH_STABLE;

@@ -54,8 +54,8 @@ private:
     std::vector<TermEnergy> linearize(Energy& energy, const State& state);
     SolveStatus stiffenedStep(const State& state, MeshStep& step);
     MeshStep foldFree(const State& state, const MeshStep& step, double length) const;
-    bool search(const Energy& energy, const MeshStep& step, const std::vector<ColorGrid>& colors, double before, State& state,
-                std::vector<TermEnergy>& found, double& motion) const;
+    bool search(const Energy& energy, const MeshStep& step, const MeshStep& whole, const std::vector<ColorGrid>& colors,
+                double before, State& state, std::vector<TermEnergy>& found, double& motion) const;
 
     const Problem& problem_;
     bool colors_;
