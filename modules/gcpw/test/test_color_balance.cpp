@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include "imaging/pyramid.hpp"
 #include "color/color_balance.hpp"
+#include "color/exposures.hpp"
 #include "color/tone_limits.hpp"
 #include "overlap/color_comparison.hpp"
 #include "scene.hpp"
@@ -90,12 +91,26 @@ TEST(Gcpw_ColorBalance, photographs_of_one_scene_agree_with_the_reference)
 
 TEST(Gcpw_ColorBalance, without_a_reference_they_come_closer_and_black_stays_black)
 {
-    const Trio trio({1, 0.7, 0.9}, {0, 0, 0}, true);
+    const Trio trio({1, 0.7, 0.9}, {0, 0.08, 0}, true);
     const std::vector<ColorGrid> colors = trio.balanced();
     EXPECT_LT(trio.difference(colors), 0.4 * trio.difference(std::vector<ColorGrid>(3, ColorGrid(LATTICE))));
     for (const ColorGrid& grid : colors)
         for (int cell = 0; cell < LATTICE.cellCount(); ++cell)
             EXPECT_LT(grid.quad(cell)[0].bias, 8.0 / 255) << cell;
+}
+
+TEST(Gcpw_ColorBalance, shared_lights_go_a_share_of_the_way_and_leave_black_black)
+{
+    const Trio trio({1, 0.5, 1}, {0, 0, 0}, true);
+    const std::vector<ColorGrid::Quad> lights = sharedLights(compareColors(trio.overlaps, trio.states), 3);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(lights[1][c].gain / lights[0][c].gain, std::pow(2, 0.3), 0.05) << c;
+    for (const ColorGrid::Quad& light : lights)
+    {
+        EXPECT_EQ(light[0].bias, 0);
+        for (int c = 1; c < 3; ++c)
+            EXPECT_NEAR(light[c].gain * 128 / 255 + light[c].bias, 128.0 / 255, 0.01) << "gray of channel " << c;
+    }
 }
 
 TEST(Gcpw_ColorBalance, a_light_that_varies_over_a_photograph_is_followed)

@@ -70,12 +70,40 @@ TEST(Gcpw_RenderView, the_natural_view_keeps_the_alignment)
     const PairCanvas natural = renderPair(alignment, scene.source(), scene.target(), View::NATURAL);
     EXPECT_LT(differenceInOverlap(natural), 1.2 * differenceInOverlap(target) + 0.1);
     EXPECT_LT(scorePair(natural).zncc, 3);
-    for (const Mat& picture : {natural.source, natural.source_corrected, natural.target, natural.mesh})
+    for (const Mat& picture : {natural.source, natural.source_corrected, natural.target, natural.target_corrected, natural.mesh})
     {
         EXPECT_EQ(picture.type(), CV_8UC3);
         EXPECT_EQ(picture.size(), natural.target_mask.size());
     }
     EXPECT_EQ(natural.source_mask.size(), natural.target_mask.size());
+}
+
+TEST(Gcpw_RenderView, between_both_views_neither_photograph_takes_the_light_of_the_other)
+{
+    const Scene scene{SceneOptions()};
+    const Mat source = scene.source();
+    Mat target;
+    cvtColor(scene.target(), target, COLOR_BGR2YCrCb);
+    target += Scalar(0, 12, 0); // a red lamp
+    cvtColor(target, target, COLOR_YCrCb2BGR);
+    const PairCanvas canvas = renderPair(alignPair(source, target), source, target, View::NATURAL);
+    const auto red = [](const Mat& picture, const Mat& mask)
+    {
+        const Scalar mean = cv::mean(picture, mask);
+        return mean[2] - mean[1];
+    };
+    const double source_change = red(canvas.source_corrected, canvas.source_mask) - red(canvas.source, canvas.source_mask);
+    const double target_change = red(canvas.target_corrected, canvas.target_mask) - red(canvas.target, canvas.target_mask);
+    EXPECT_GT(source_change, 1);
+    EXPECT_LT(target_change, -1);
+    EXPECT_NEAR(source_change, -target_change, 3);
+    const PairCanvas framed = renderPair(alignPair(source, target), source, target);
+    EXPECT_EQ(cv::norm(framed.target_corrected, framed.target, NORM_INF), 0);
+    Params without;
+    without.method = Method::MFW;
+    const PairCanvas uncorrected = renderPair(alignPair(source, target, without), source, target, View::NATURAL);
+    EXPECT_EQ(cv::norm(uncorrected.target_corrected, uncorrected.target, NORM_INF), 0);
+    EXPECT_EQ(cv::norm(uncorrected.source_corrected, uncorrected.source, NORM_INF), 0);
 }
 
 TEST(Gcpw_RenderView, both_photographs_are_whole_on_the_canvas_and_it_is_no_larger_than_they_need)
@@ -189,7 +217,7 @@ TEST(Gcpw_RenderView, pixels_that_the_target_hides_stay_hidden)
     EXPECT_EQ(canvas.target_mask.at<uchar>(Point(onCanvas(canvas, Point2d(250, 120)))), 255);
 }
 
-TEST(Gcpw_RenderView, colors_are_corrected_where_the_view_shows_them)
+TEST(Gcpw_RenderView, in_the_target_s_frame_the_colors_of_the_alignment_are_shown_where_they_belong)
 {
     Alignment alignment = alignmentBy(targetFromSource(PHOTO, 25));
     AlignedImage source = alignment.image(0);
@@ -198,7 +226,7 @@ TEST(Gcpw_RenderView, colors_are_corrected_where_the_view_shows_them)
             source.color.ptr<float>(row)[6 * col] = 0.5F; // the right half half as bright
     alignment = Alignment({source, alignment.image(1)}, Size2d(1, 1), Report());
     const Mat gray(PHOTO, CV_8UC3, Scalar::all(100));
-    const PairCanvas canvas = renderPair(alignment, gray, gray, View::NATURAL);
+    const PairCanvas canvas = renderPair(alignment, gray, gray, View::TARGET);
     const Matx33d from_source = Matx33d(canvas.canvas_from_target.ptr<double>()) * targetFromSource(PHOTO, 25);
     EXPECT_NEAR(canvas.source_corrected.at<Vec3b>(Point(applyHomography(from_source, Point2d(200, 180))))[0], 100, 2);
     EXPECT_NEAR(canvas.source_corrected.at<Vec3b>(Point(applyHomography(from_source, Point2d(280, 180))))[0], 50, 2);

@@ -5,9 +5,11 @@
 
 #include <opencv2/imgproc.hpp>
 #include "api/result.hpp"
+#include "api/shared_light.hpp"
 #include "geometry/homography.hpp"
 #include "imaging/photograph.hpp"
 #include "imaging/score.hpp"
+#include "model/color_grid.hpp"
 #include "rendering/blend.hpp"
 #include "rendering/color_field.hpp"
 #include "rendering/inverse_map.hpp"
@@ -107,6 +109,13 @@ Mat corrected(const Mat& image, const Mat& mask, const Mat& map, const Mat& colo
     return result;
 }
 
+/// Whether the method of the alignment corrects colours.
+bool hasColors(const Alignment::Image& image)
+{
+    const Mat unchanged = ColorGrid(Lattice(image.work_size, image.color.cols, image.color.rows)).toMat();
+    return norm(image.color, unchanged, NORM_INF) > 0;
+}
+
 void checkSize(const Mat& image, Size expected, const char* name)
 {
     if (image.size() != expected)
@@ -141,6 +150,9 @@ PairCanvas renderPair(const Alignment& alignment, InputArray source_input, Input
         place(target.photograph, {-roi.tl(), target.photograph.image.size()}, roi.size(), canvas.target, canvas.target_mask);
     else
         warp(target, shown, roi, canvas.target, canvas.target_mask, map);
+    canvas.target_corrected = canvas.target;
+    if (view == View::NATURAL && hasColors(image))
+        shareLight(canvas);
     const Matx33d to_canvas = Matx33d(1, 0, -roi.x, 0, 1, -roi.y, 0, 0, 1) * shown;
     canvas.canvas_from_target = Mat(to_canvas * (1 / to_canvas(2, 2)));
     canvas.target_origin = applyHomography(to_canvas, Point2d());
@@ -154,8 +166,10 @@ Mat blendPair(const PairCanvas& canvas, Blend blend)
 {
     CV_Assert(!canvas.source.empty() && canvas.source.size() == canvas.target.size());
     const TwoMasks masks{{canvas.source_mask, canvas.target_mask}};
-    return blend == Blend::AVERAGE ? blendAverage({{canvas.source, canvas.target}}, masks)
-                                   : blendMultiband({{canvas.source_corrected, canvas.target}}, masks);
+    if (blend == Blend::AVERAGE)
+        return blendAverage({{canvas.source, canvas.target}}, masks);
+    const Mat& target = canvas.target_corrected.empty() ? canvas.target : canvas.target_corrected;
+    return blendMultiband({{canvas.source_corrected, target}}, masks);
 }
 
 void blendPair(const PairCanvas& canvas, Blend blend, OutputArray picture)

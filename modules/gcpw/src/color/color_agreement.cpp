@@ -19,7 +19,7 @@ const double GRAY = 128.0 / 255;          ///< Cr and Cb of a pixel of equal cha
 const double GRAY_DEVIATION = 0.5 / 255;  ///< root mean square; a photograph of a gray wall has ten times that
 const double NORMAL = 1.4826;             ///< standard deviation over the median of the absolute value
 const double LEAST_DEVIATION = 2.0 / 255; ///< resampling and compression make as much
-const double CLIPPED_ALIKE = 5.0 / 255;   ///< what both show at the limit of their range, alike in both, is to stay alike
+const double CLIPPED_ALIKE = 5.0 / 255; ///< what both show at the limit of their range, alike in both, is to stay alike
 
 double differenceOf(const ColorMoments& m, const ColorGrid::Quad& source, const ColorGrid::Quad& target, int channels)
 {
@@ -28,7 +28,8 @@ double differenceOf(const ColorMoments& m, const ColorGrid::Quad& source, const 
     double squared = 0;
     for (int c = 0; c < channels; ++c)
     {
-        const double d = source[c].gain * m.sourceMean(c) + source[c].bias - target[c].gain * m.targetMean(c) - target[c].bias;
+        const double d =
+            source[c].gain * m.sourceMean(c) + source[c].bias - target[c].gain * m.targetMean(c) - target[c].bias;
         squared += d * d;
     }
     return std::sqrt(squared);
@@ -62,8 +63,10 @@ std::vector<bool> grayImages(const std::vector<ColorComparison>& comparisons, si
                 continue;
             for (int c = 1; c < CHANNELS; ++c)
             {
-                deviation[comparison.source_image] += m.samples() * (m.sourceVariance(c) + std::pow(m.sourceMean(c) - GRAY, 2));
-                deviation[comparison.target_image] += m.samples() * (m.targetVariance(c) + std::pow(m.targetMean(c) - GRAY, 2));
+                deviation[comparison.source_image] +=
+                    m.samples() * (m.sourceVariance(c) + std::pow(m.sourceMean(c) - GRAY, 2));
+                deviation[comparison.target_image] +=
+                    m.samples() * (m.targetVariance(c) + std::pow(m.targetMean(c) - GRAY, 2));
             }
             samples[comparison.source_image] += m.samples();
             samples[comparison.target_image] += m.samples();
@@ -86,8 +89,8 @@ QuadWeights likenessOf(const std::vector<ColorComparison>& comparisons)
     return weights;
 }
 
-QuadWeights agreementOf(const std::vector<ColorComparison>& comparisons, const QuadWeights& likeness, const std::vector<bool>& gray,
-                        const ColorOf& colors, double deviations)
+QuadWeights agreementOf(const std::vector<ColorComparison>& comparisons, const QuadWeights& likeness,
+                        const std::vector<bool>& gray, const ColorOf& colors, double deviations)
 {
     QuadWeights weights = likeness;
     for (size_t k = 0; k < comparisons.size(); ++k)
@@ -107,10 +110,13 @@ QuadWeights agreementOf(const std::vector<ColorComparison>& comparisons, const Q
         {
             weights[k][q].moments *= loss.weight(differences[q].first * differences[q].first);
             const QuadColors& quads = comparison.quads[q];
-            const double clipped = differenceOf(quads.clipped, colors(comparison.source_image, quads.source_cell),
-                                                colors(comparison.target_image, quads.target_cell), comparableChannels(comparison, gray));
-            const double before = differenceOf(quads.clipped, ColorGrid::Quad(), ColorGrid::Quad(), comparableChannels(comparison, gray));
-            weights[k][q].clipped = std::max(loss.weight(clipped * clipped), RobustLoss(CLIPPED_ALIKE).weight(before * before));
+            const double clipped =
+                differenceOf(quads.clipped, colors(comparison.source_image, quads.source_cell),
+                             colors(comparison.target_image, quads.target_cell), comparableChannels(comparison, gray));
+            const double before =
+                differenceOf(quads.clipped, ColorGrid::Quad(), ColorGrid::Quad(), comparableChannels(comparison, gray));
+            weights[k][q].clipped =
+                std::max(loss.weight(clipped * clipped), RobustLoss(CLIPPED_ALIKE).weight(before * before));
         }
     }
     return weights;

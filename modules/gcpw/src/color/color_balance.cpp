@@ -24,11 +24,11 @@ namespace gcpw
 namespace
 {
 
-const int PASSES = 5;            ///< of re-weighting and of Newton's method on a logarithm
-const double REST = 0.2;         ///< of the prior of a compared quad is that of another: its colour fades over some quads
-const double DEVIATIONS = 10;    ///< robust standard deviations: wide, as light may differ from place to place
-const double HUE = 0.7;             ///< weight of Cr and Cb against Y: a tint of a part is seen sooner than a step of hue at a cut
-const double TINT = 30.0 / 255;  ///< local difference of hue beyond which two images show two things, not two lights
+const int PASSES = 5;         ///< of re-weighting and of Newton's method on a logarithm
+const double REST = 0.2;      ///< of the prior of a compared quad is that of another: its colour fades over some quads
+const double DEVIATIONS = 10; ///< robust standard deviations: wide, as light may differ from place to place
+const double HUE = 0.7; ///< weight of Cr and Cb against Y: a tint of a part is seen sooner than a step of hue at a cut
+const double TINT = 30.0 / 255; ///< local difference of hue beyond which two images show two things, not two lights
 /// Weights of E_k, in Params::balanceWeight: beside a comparison of means at 1/3 of the range they are about 1/15, 1/20 and 1.
 const double KEEP_LIGHT = 2;      ///< of the gain of Y
 const double KEEP_HUE = 10;       ///< of a shift of Cr and Cb
@@ -78,7 +78,8 @@ struct Comparison
             if (std::min(source_variance, target_variance) < MIN_VARIANCE)
                 continue;
             const double size = weights.of(c) * std::sqrt(source_variance * target_variance);
-            const double ratio = std::log(source[c].gain / target[c].gain) + 0.5 * std::log(source_variance / target_variance);
+            const double ratio =
+                std::log(source[c].gain / target[c].gain) + 0.5 * std::log(source_variance / target_variance);
             own.color_color[c][0] += size / (source[c].gain * source[c].gain);
             other.color_color[c][0] += size / (target[c].gain * target[c].gain);
             other.color_cross[c][0] -= size / (source[c].gain * target[c].gain);
@@ -117,10 +118,10 @@ class Balance
 public:
     Balance(const std::vector<PyramidLevel>& images, const std::vector<OverlapSamples>& overlaps, const State& state,
             const std::vector<bool>& fixed, const Params& params)
-        : params_(params), fixed_(fixed), comparisons_(compareColors(overlaps, state)),
-          likeness_(likenessOf(comparisons_)), gray_(grayImages(comparisons_, state.size())),
-          group_(groupsOf(comparisons_, state.size())),
-          referenced_(std::find(fixed.begin(), fixed.end(), true) != fixed.end()),
+        : params_(params), comparisons_(compareColors(overlaps, state)),
+          likeness_(likenessOf(comparisons_)), gauge_{fixed, grayImages(comparisons_, state.size()),
+                                                      groupsOf(comparisons_, state.size())},
+          referenced_(gauge_.hasReference()),
           exposures_(referenced_ ? estimateExposures(comparisons_, fixed) : sharedLights(comparisons_, state.size()))
     {
         for (size_t i = 0; i < state.size(); ++i)
@@ -128,7 +129,7 @@ public:
             lattices_.push_back(state[i].mesh.lattice());
             colors_.emplace_back(lattices_.back());
             tones_.emplace_back(images[i], lattices_.back());
-            for (int cell = 0; !fixed_[i] && cell < lattices_[i].cellCount(); ++cell)
+            for (int cell = 0; !gauge_.fixed[i] && cell < lattices_[i].cellCount(); ++cell)
                 colors_[i].quad(cell) = exposures_[i];
         }
     }
@@ -140,15 +141,16 @@ public:
             // NotConverged is an answer: conjugate gradients lower the energy, and the next pass goes on from there.
             if (solve() == SolveStatus::NotPositiveDefinite)
             {
-                CV_LOG_INFO(nullptr, "gcpw: the colour balance is singular in pass " << pass << "; the last colours are kept");
+                CV_LOG_INFO(nullptr,
+                            "gcpw: the colour balance is singular in pass " << pass << "; the last colours are kept");
                 break;
             }
             for (size_t i = 0; i < colors_.size(); ++i)
-                for (int cell = 0; !fixed_[i] && cell < lattices_[i].cellCount(); ++cell)
+                for (int cell = 0; !gauge_.fixed[i] && cell < lattices_[i].cellCount(); ++cell)
                     for (ChannelAffine& map : colors_[i].quad(cell))
                         map.gain = plausibleGain(map.gain);
         }
-        limitTones(tones_, comparisons_, {fixed_, gray_, group_}, colors_);
+        limitTones(tones_, comparisons_, gauge_, colors_);
         return colors_;
     }
 
@@ -180,7 +182,7 @@ private:
     SolveStatus solve()
     {
         const size_t count = colors_.size();
-        ColorSystem system(lattices_, fixed_);
+        ColorSystem system(lattices_, gauge_.fixed);
         const double whole = 1 / static_cast<double>(params_.sampleStep * params_.sampleStep);
         std::vector<double> weights;
         std::vector<double> rest;
@@ -221,8 +223,9 @@ private:
     /// What the overlaps say, linearised at the present colours.
     void addComparisons(ColorSystem& system) const
     {
-        const ColorOf colors = [this](int image, int cell) -> const ColorGrid::Quad& { return colors_[image].quad(cell); };
-        const QuadWeights agreement = agreementOf(comparisons_, likeness_, gray_, colors, DEVIATIONS);
+        const ColorOf colors = [this](int image, int cell) -> const ColorGrid::Quad&
+        { return colors_[image].quad(cell); };
+        const QuadWeights agreement = agreementOf(comparisons_, likeness_, gauge_.gray, colors, DEVIATIONS);
         for (size_t k = 0; k < comparisons_.size(); ++k)
             for (size_t q = 0; q < comparisons_[k].quads.size(); ++q)
             {
@@ -230,27 +233,27 @@ private:
                 const QuadId source{comparisons_[k].source_image, pair.source_cell};
                 const QuadId target{comparisons_[k].target_image, pair.target_cell};
                 Comparison comparison{colors(source.image, source.cell), colors(target.image, target.cell),
-                                      comparableChannels(comparisons_[k], gray_), SampleColor(), CrossColor()};
+                                      comparableChannels(comparisons_[k], gauge_.gray), SampleColor(), CrossColor()};
                 if (pair.moments.samples() > 0)
                 {
-                    const ChannelWeights weights = weightsOf(pair.moments, agreement[k][q].moments, source.image, target.image);
+                    const ChannelWeights weights =
+                        weightsOf(pair.moments, agreement[k][q].moments, source.image, target.image);
                     comparison.addMeans(pair.moments, weights);
                     if (referenced_)
                         comparison.addContrasts(pair.moments, weights);
                 }
                 if (pair.clipped.samples() > 0) // they have lost their contrast
-                    comparison.addMeans(pair.clipped, weightsOf(pair.clipped, agreement[k][q].clipped, source.image, target.image));
+                    comparison.addMeans(pair.clipped,
+                                        weightsOf(pair.clipped, agreement[k][q].clipped, source.image, target.image));
                 system.addSamples(source, comparison.own, comparison.source);
                 system.addCross(source, comparison.source, target, comparison.target, comparison.other);
             }
     }
 
     const Params& params_;
-    std::vector<bool> fixed_;
     std::vector<ColorComparison> comparisons_;
     QuadWeights likeness_;
-    std::vector<bool> gray_;
-    std::vector<int> group_;
+    ToneGauge gauge_;
     bool referenced_; ///< an image is fixed, and the others take its light
     std::vector<ColorGrid::Quad> exposures_;
     std::vector<Lattice> lattices_;
@@ -260,8 +263,9 @@ private:
 
 } // namespace
 
-std::vector<ColorGrid> balancedColors(const std::vector<PyramidLevel>& images, const std::vector<OverlapSamples>& overlaps,
-                                      const State& state, int reference, const Params& params)
+std::vector<ColorGrid> balancedColors(const std::vector<PyramidLevel>& images,
+                                      const std::vector<OverlapSamples>& overlaps, const State& state, int reference,
+                                      const Params& params)
 {
     CV_DbgAssert(images.size() == state.size());
     if (overlaps.empty())

@@ -8,14 +8,14 @@ namespace cv
 namespace gcpw
 {
 
-std::vector<ColorPriors> colorPriors(const std::vector<ColorComparison>& comparisons, const std::vector<Lattice>& lattices,
-                                     const ImagePriors& compared, const ImagePriors& alone)
+std::vector<ColorPriors> colorPriors(const std::vector<ColorComparison>& comparisons,
+                                     const std::vector<Lattice>& lattices, const ImagePriors& compared,
+                                     const ImagePriors& alone)
 {
     std::vector<ColorPriors> priors;
     for (size_t i = 0; i < lattices.size(); ++i)
         priors.emplace_back(lattices[i].cellCount(), ColorPrior{alone.weights[i], alone.references[i]});
-    const auto set = [&](int image, int cell)
-    {
+    const auto set = [&](int image, int cell) {
         priors[image][cell] = {compared.weights[image], compared.references[image]};
     };
     for (const ColorComparison& comparison : comparisons)

@@ -16,15 +16,15 @@ namespace gcpw
 namespace
 {
 
-const double GAUGE = 1e-3; ///< share of an overlap: chooses among exposures that fit equally well
+const double GAUGE = 1e-3;          ///< share of an overlap: chooses among exposures that fit equally well
 const double NOISE_VARIANCE = 1e-4; ///< of an intensity: the ratio of less contrast is noise
 /// Of Cr and Cb: with less contrast they scale as Y does, as with a longer exposure. A gain of their own tints what is strongly coloured.
 const double COLORFUL_VARIANCE = 5e-3;
 const double LEAST_LIGHT = 0.02; ///< of an intensity, added to means whose ratio is taken: that of two blacks is noise
 const double LIGHT_SHARE = 0.3;  ///< of the logarithm of a gain; cv::detail::GainCompensator leaves about as much
 const double HUE_SHARE = 0.2;    ///< of a shift of Cr and Cb
-const double DEVIATIONS = 2.5; ///< robust standard deviations beyond which a quad does not show the exposures
-const int ROUNDS = 10;         ///< of re-weighting
+const double DEVIATIONS = 2.5;   ///< robust standard deviations beyond which a quad does not show the exposures
+const int ROUNDS = 10;           ///< of re-weighting
 
 /// Normal equations of differences x_a - x_b = d between images; x is exactly 0 where an image is fixed.
 class Differences
@@ -65,7 +65,8 @@ public:
         {
             right.at<double>(i) = right_.at<double>(free[i]);
             for (int j = 0; j < count; ++j)
-                matrix.at<double>(i, j) = matrix_.at<double>(free[i], free[j]) + (i == j ? GAUGE * total_ / matrix_.rows : 0);
+                matrix.at<double>(i, j) =
+                    matrix_.at<double>(free[i], free[j]) + (i == j ? GAUGE * total_ / matrix_.rows : 0);
         }
         Mat found;
         if (!cv::solve(matrix, right, found, DECOMP_CHOLESKY) || !checkRange(found))
@@ -86,11 +87,13 @@ private:
 double logRatio(const ColorMoments& m, int channel, bool by_luma)
 {
     if (channel == 0 || !by_luma)
-        return 0.5 * std::log((m.targetVariance(channel) + NOISE_VARIANCE) / (m.sourceVariance(channel) + NOISE_VARIANCE));
+        return 0.5 *
+               std::log((m.targetVariance(channel) + NOISE_VARIANCE) / (m.sourceVariance(channel) + NOISE_VARIANCE));
     const double luma = (m.targetVariance(0) + NOISE_VARIANCE) / (m.sourceVariance(0) + NOISE_VARIANCE);
     // Symmetric: the two images may change places.
     const double even = std::sqrt(luma);
-    return 0.5 * std::log((m.targetVariance(channel) + COLORFUL_VARIANCE * even) / (m.sourceVariance(channel) + COLORFUL_VARIANCE / even));
+    return 0.5 * std::log((m.targetVariance(channel) + COLORFUL_VARIANCE * even) /
+                          (m.sourceVariance(channel) + COLORFUL_VARIANCE / even));
 }
 
 /// One sum of each comparison.
@@ -117,12 +120,14 @@ std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons
         {
             const ColorMoments& m = moments[k];
             if (m.samples() > 0 && c < comparableChannels(comparisons[k], gray))
-                log_gains.add(comparisons[k].source_image, comparisons[k].target_image, logRatio(m, c, by_luma), m.samples());
+                log_gains.add(comparisons[k].source_image, comparisons[k].target_image, logRatio(m, c, by_luma),
+                              m.samples());
         }
         std::vector<double> found;
         if (!log_gains.solve(found))
         {
-            CV_LOG_INFO(nullptr, "gcpw: the images' gains are not determined in channel " << c << "; they are taken as 1");
+            CV_LOG_INFO(nullptr,
+                        "gcpw: the images' gains are not determined in channel " << c << "; they are taken as 1");
             continue;
         }
         for (size_t i = 0; i < exposures.size(); ++i)
@@ -134,10 +139,12 @@ std::vector<ColorGrid::Quad> fit(const std::vector<ColorComparison>& comparisons
             const int b = comparisons[k].target_image;
             const ColorMoments& m = moments[k];
             if (m.samples() > 0 && c < comparableChannels(comparisons[k], gray))
-                biases.add(a, b, exposures[b][c].gain * m.targetMean(c) - exposures[a][c].gain * m.sourceMean(c), m.samples());
+                biases.add(a, b, exposures[b][c].gain * m.targetMean(c) - exposures[a][c].gain * m.sourceMean(c),
+                           m.samples());
         }
         if (!biases.solve(found))
-            CV_LOG_INFO(nullptr, "gcpw: the images' biases are not determined in channel " << c << "; they are taken as 0");
+            CV_LOG_INFO(nullptr,
+                        "gcpw: the images' biases are not determined in channel " << c << "; they are taken as 0");
         for (size_t i = 0; i < exposures.size(); ++i)
             exposures[i][c].bias = found[i];
     }
@@ -216,7 +223,8 @@ std::vector<ColorGrid::Quad> sharedLights(const std::vector<ColorComparison>& co
     return lights;
 }
 
-std::vector<ColorGrid::Quad> exposuresOfAllPixels(const std::vector<ColorComparison>& comparisons, const std::vector<bool>& fixed)
+std::vector<ColorGrid::Quad> exposuresOfAllPixels(const std::vector<ColorComparison>& comparisons,
+                                                  const std::vector<bool>& fixed)
 {
     MomentsOfPairs moments(comparisons.size());
     for (size_t k = 0; k < comparisons.size(); ++k)

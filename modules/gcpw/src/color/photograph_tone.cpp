@@ -17,7 +17,7 @@ namespace
 const int STEP = 3; ///< px: a tenth of the pixels says enough
 const float DARK = 24.0F / 255;
 const float MARGIN = 2.0F / 255; ///< shown bilinearly, in 8 bits, and at another resolution
-const double BACK = 3;           ///< of what a pixel has lost at most: one that stands within the margin already needs nothing
+const double BACK = 3; ///< of what a pixel has lost at most: one that stands within the margin already needs nothing
 const float BLACK = 4.0F / 255;
 const double FADED =
     25.0 / 255; ///< beyond the range: a blue sky whose blue is at its limit turns white with more of the others
@@ -42,6 +42,7 @@ PhotographTone::PhotographTone(const PyramidLevel& level, const Lattice& lattice
             pixels_.push_back({cell, {pixel[0], pixel[1], pixel[2]}, brightest, darkest});
             cells_[cell].pixels += 1;
             cells_[cell].sum += Vec3d(pixel[0], pixel[1], pixel[2]);
+            light_ += pixel[0];
         }
 }
 
@@ -52,7 +53,8 @@ std::vector<ToneNeed> PhotographTone::needs(const ColorGrid& colors, bool keep_s
     {
         const ColorGrid::Quad& map = colors.quad(pixel.cell);
         const double luma = map[0].gain * pixel.value[0] + map[0].bias;
-        const ToneSpread spread = toneSpread(map[1].gain * pixel.value[1] + map[1].bias, map[2].gain * pixel.value[2] + map[2].bias);
+        const ToneSpread spread =
+            toneSpread(map[1].gain * pixel.value[1] + map[1].bias, map[2].gain * pixel.value[2] + map[2].bias);
         ToneNeed& need = needs[pixel.cell];
         const double brightest = luma + spread.above;
         const double darkest = luma - spread.below;
@@ -66,14 +68,6 @@ std::vector<ToneNeed> PhotographTone::needs(const ColorGrid& colors, bool keep_s
         need.lower = std::max(need.lower, excess / std::max(luma, LEAST_REACH));
     }
     return needs;
-}
-
-double PhotographTone::light() const
-{
-    double sum = 0;
-    for (const Cell& cell : cells_)
-        sum += cell.sum[0];
-    return sum;
 }
 
 Vec3d PhotographTone::change(int cell, const ColorGrid::Quad& map) const

@@ -37,8 +37,7 @@ public:
     Vec3d change(int cell, const ColorGrid::Quad& map) const;
     Vec3d change(const ColorGrid& colors) const;
 
-    double light() const; ///< sum of Y
-
+    double light() const { return light_; } ///< sum of Y
     double pixels(int cell) const { return cells_[cell].pixels; }
     double pixels() const { return static_cast<double>(pixels_.size()); }
 
@@ -57,6 +56,7 @@ private:
     };
     std::vector<Pixel> pixels_; ///< in the order of rows
     std::vector<Cell> cells_;
+    double light_ = 0;
 };
 
 } // namespace gcpw

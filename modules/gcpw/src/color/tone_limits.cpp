@@ -14,12 +14,12 @@ namespace gcpw
 namespace
 {
 
-const int ROUNDS = 8;           ///< of limits and means in turn: each raises what the other lowers, less every time
-const int SPREADS = 2;          ///< over neighbours, then over other images
+const int ROUNDS = 8;  ///< of limits and means in turn: each raises what the other lowers, less every time
+const int SPREADS = 2; ///< over neighbours, then over other images
 /// Of what a quad needs, per quad away from it: less takes the contrast of whole photographs for one lamp.
 const double SLOPE = 5.0 / 255;
 const double DARKEST_MEAN = 0.02; ///< of a photograph that can be scaled
-const double TINT = 4.5 / 255;  ///< of a quad against its image: more is seen
+const double TINT = 4.5 / 255;    ///< of a quad against its image: more is seen
 
 typedef std::vector<ToneNeed> Needs; ///< of the quads of an image
 
@@ -74,15 +74,18 @@ void limitTint(const PhotographTone& tone, ColorGrid& colors)
 }
 
 /// The colours with the extremes of all images limited.
-std::vector<ColorGrid> limited(const std::vector<PhotographTone>& tones, const std::vector<ColorComparison>& comparisons,
-                               const std::vector<bool>& fixed, std::vector<ColorGrid> colors)
+std::vector<ColorGrid> limited(const std::vector<PhotographTone>& tones,
+                               const std::vector<ColorComparison>& comparisons, const ToneGauge& gauge,
+                               std::vector<ColorGrid> colors)
 {
-    const bool referenced = std::find(fixed.begin(), fixed.end(), true) != fixed.end(); // its light is to be taken
+    const std::vector<bool>& fixed = gauge.fixed;
+    const bool keep_saturated = !gauge.hasReference();
     std::vector<Needs> needs(tones.size());
-    parallel_for_(Range(0, static_cast<int>(tones.size())), [&](const Range& range)
-    {
+    parallel_for_(Range(0, static_cast<int>(tones.size())),
+                  [&](const Range& range)
+                  {
         for (int i = range.start; i < range.end; ++i)
-            needs[i] = fixed[i] ? Needs(colors[i].lattice().cellCount()) : tones[i].needs(colors[i], !referenced);
+            needs[i] = fixed[i] ? Needs(colors[i].lattice().cellCount()) : tones[i].needs(colors[i], keep_saturated);
     });
     for (int k = 0; k < SPREADS; ++k)
     {
@@ -104,7 +107,8 @@ std::vector<ColorGrid> limited(const std::vector<PhotographTone>& tones, const s
 }
 
 /// Mean change of the images of a group; 0 where one is fixed, and of hue that is gray.
-Vec3d meanChange(int group, const std::vector<PhotographTone>& tones, const ToneGauge& gauge, const std::vector<ColorGrid>& colors)
+Vec3d meanChange(int group, const std::vector<PhotographTone>& tones, const ToneGauge& gauge,
+                 const std::vector<ColorGrid>& colors)
 {
     Vec3d change;
     Vec3d pixels;
@@ -156,18 +160,18 @@ void keepMeans(const std::vector<PhotographTone>& tones, const ToneGauge& gauge,
 
 } // namespace
 
-void limitTones(const std::vector<PhotographTone>& tones, const std::vector<ColorComparison>& comparisons, const ToneGauge& gauge,
-                std::vector<ColorGrid>& colors)
+void limitTones(const std::vector<PhotographTone>& tones, const std::vector<ColorComparison>& comparisons,
+                const ToneGauge& gauge, std::vector<ColorGrid>& colors)
 {
     for (size_t i = 0; i < tones.size(); ++i)
         if (!gauge.fixed[i])
             limitTint(tones[i], colors[i]);
     keepMeans(tones, gauge, colors, colors);
-    std::vector<ColorGrid> shown = limited(tones, comparisons, gauge.fixed, colors);
+    std::vector<ColorGrid> shown = limited(tones, comparisons, gauge, colors);
     for (int round = 1; round < ROUNDS; ++round)
     {
         keepMeans(tones, gauge, shown, colors);
-        shown = limited(tones, comparisons, gauge.fixed, colors);
+        shown = limited(tones, comparisons, gauge, colors);
     }
     colors = shown;
 }

@@ -4,6 +4,7 @@
 #ifndef OPENCV_GCPW_TONE_LIMITS_HPP
 #define OPENCV_GCPW_TONE_LIMITS_HPP
 
+#include <algorithm>
 #include <vector>
 #include "color/photograph_tone.hpp"
 #include "overlap/color_comparison.hpp"
@@ -19,6 +20,9 @@ struct ToneGauge
     std::vector<bool> fixed; ///< keep their colours; so does the mean of all that they are connected with
     std::vector<bool> gray;  ///< keep their hue
     std::vector<int> group;  ///< images that are connected have the same number
+
+    /// Whether an image is fixed, whose light the others take.
+    bool hasReference() const { return std::find(fixed.begin(), fixed.end(), true) != fixed.end(); }
 };
 
 /** @brief Colours that keep the light of the photographs, the nearest to those given.

@@ -65,7 +65,7 @@ void addPair(const Problem& problem, size_t k, const Params& params, const Energ
 }
 
 /// How many other images an image overlaps: each pulls at it, so each also brings its share of what keeps its shape.
-int neighbours(const Problem& problem, int image)
+int neighbourCount(const Problem& problem, int image)
 {
     std::vector<int> others;
     for (const ProblemPair& pair : problem.pairs)
@@ -90,7 +90,7 @@ void addShape(const Problem& problem, int image, const Params& params, Energy& e
 {
     const MeshGrid& rough = problem.images[image].rough;
     // Of many images each neighbour pulls, so each brings its share of similarity; then stretch has to matter sooner, too.
-    const double pulls = std::max(neighbours(problem, image), 1);
+    const double pulls = std::max(neighbourCount(problem, image), 1);
     energy.add(std::make_unique<SimilarityTerm>(image, rough, params.similarityWeight * pulls, params.stretchLimit / std::sqrt(pulls)));
     if (params.outsideWeight > 0 && !problem.images[image].outside.empty())
         energy.add(std::make_unique<OutsideTerm>(image, rough, outsideWeights(problem.images[image]), params.outsideWeight));

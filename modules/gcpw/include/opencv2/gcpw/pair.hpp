@@ -71,7 +71,11 @@ In the target's own frame all distortion is the source's: where the camera turne
 and the canvas grows. The natural view shares it out. It is one homography of the whole canvas, the one that stretches both
 photographs least, so alignment and straight lines stay as they are in the target's frame. Its scale keeps the area of both
 together, so that where a wide pair overlaps it may show down to 0.6 pixels for one of the target. It is upright halfway between
-both photographs; quarter turns of a camera held on its side are not halved. */
+both photographs; quarter turns of a camera held on its side are not halved.
+
+Colours follow the view. In the target's frame the source takes the light of the target, by the colours of the alignment. In the
+natural view both are corrected, so that together they keep the light of both: the colours are found anew with the photographs as
+aligned, unless the alignment leaves them unchanged (Method::MFW). */
 enum class View
 {
     TARGET = 0, //!< the target's frame, as in the paper: the target is only shifted and its pixels are copied
@@ -86,8 +90,9 @@ struct CV_EXPORTS_W_SIMPLE PairCanvas
 
     CV_PROP_RW Mat source;           //!< warped source, colours unchanged, CV_8UC3; black outside its mask
     CV_PROP_RW Mat source_mask;      //!< CV_8UC1: 255 exactly where the mesh covers a pixel centre with a valid pixel
-    CV_PROP_RW Mat source_corrected; //!< warped source with the colour model applied, CV_8UC3
-    CV_PROP_RW Mat target;           //!< the target as its view has it, CV_8UC3; black outside its mask
+    CV_PROP_RW Mat source_corrected; //!< warped source with the colours that it is shown with, CV_8UC3
+    CV_PROP_RW Mat target;           //!< the target as its view has it, colours unchanged, CV_8UC3; black outside its mask
+    CV_PROP_RW Mat target_corrected; //!< the same with the colours that it is shown with, CV_8UC3; empty counts as `target`
     CV_PROP_RW Mat target_mask;      //!< CV_8UC1: 255 where the target has a valid pixel
     CV_PROP_RW Mat mesh;             //!< the mesh drawn over the mean of both, CV_8UC3
     CV_PROP_RW Point target_origin;  //!< canvas pixel of the target's top-left pixel, rounded
