@@ -7,7 +7,10 @@
 #include "geometry/homography.hpp"
 #include "rendering/inverse_map.hpp"
 
-namespace opencv_test { namespace {
+namespace opencv_test
+{
+namespace
+{
 
 using namespace cv::gcpw;
 
@@ -161,25 +164,35 @@ TEST(Gcpw_InverseMap, in_a_view_every_pixel_shows_what_the_view_makes_of_its_pla
 {
     const FrameScale canvas(Size(160, 120), Size(320, 240));
     const MeshGrid mesh = bentMesh(LATTICE, 5, 4, Point2d(12, -7));
-    const Matx33d view(0.9, 0.1, 5, -0.1, 0.8, -3, 4e-4, 2e-4, 1);
-    const MeshGrid seen = viewed(mesh, canvas, view);
-    const Rect roi = coveredRect(seen, FrameScale());
-    Mat map;
-    Mat mask;
-    buildInverseMap(mesh, canvas, FrameScale(), roi, map, mask, view);
-    EXPECT_GT(countNonZero(mask), roi.area() / 2);
-    for (int y = 0; y < roi.height; ++y)
-        for (int x = 0; x < roi.width; ++x)
-        {
-            if (!mask.at<uchar>(y, x))
-                continue;
-            const Vec2f p = map.at<Vec2f>(y, x);
-            const Point2d shown = applyHomography(view, canvas.toFull(mesh.warp(Point2d(p[0], p[1]))));
-            ASSERT_LT(cv::norm(shown - Point2d(x + roi.x, y + roi.y)), 1e-3);
-        }
-    // Vertices are shown where they are; the mask ends there.
-    for (const Point2d& vertex : seen.vertices())
-        EXPECT_TRUE(Rect2d(Point2d(roi.x - 1, roi.y - 1), Size2d(roi.width + 1, roi.height + 1)).contains(vertex)) << vertex;
+    for (const CanvasView& view : {CanvasView(Matx33d(0.9, 0.1, 5, -0.1, 0.8, -3, 4e-4, 2e-4, 1)),
+                                   CanvasView::onSphere(Matx33d(1, 0.05, -150, -0.05, 1, -100, 0.1, 0.2, 250), 250)})
+    {
+        const MeshGrid seen = viewed(mesh, canvas, view);
+        const Rect roi = viewedBounds(mesh, canvas, view);
+        Mat map;
+        Mat mask;
+        buildInverseMap(mesh, canvas, FrameScale(), roi, map, mask, view);
+        EXPECT_GT(countNonZero(mask), roi.area() / 2);
+        for (int y = 0; y < roi.height; ++y)
+            for (int x = 0; x < roi.width; ++x)
+            {
+                if (!mask.at<uchar>(y, x))
+                    continue;
+                const Vec2f p = map.at<Vec2f>(y, x);
+                const Point2d shown = view.show(canvas.toFull(mesh.warp(Point2d(p[0], p[1]))));
+                ASSERT_LT(cv::norm(shown - Point2d(x + roi.x, y + roi.y)), 1e-3);
+            }
+        // Vertices are shown where they are; the mask ends there.
+        for (const Point2d& vertex : seen.vertices())
+            EXPECT_TRUE(Rect2d(Point2d(roi.x - 1, roi.y - 1), Size2d(roi.width + 1, roi.height + 1)).contains(vertex))
+                << vertex;
+        // No pixel is left out: where those on either side are covered, so is it.
+        for (int y = 1; y + 1 < roi.height; ++y)
+            for (int x = 1; x + 1 < roi.width; ++x)
+                ASSERT_TRUE(mask.at<uchar>(y, x) || !mask.at<uchar>(y, x - 1) || !mask.at<uchar>(y, x + 1) ||
+                            !mask.at<uchar>(y - 1, x) || !mask.at<uchar>(y + 1, x));
+    }
 }
 
-}} // namespace
+} // namespace
+} // namespace opencv_test

@@ -4,6 +4,7 @@
 #include "opencv2/gcpw/pair.hpp"
 
 #include <opencv2/imgproc.hpp>
+#include "api/pair_view.hpp"
 #include "api/result.hpp"
 #include "api/shared_light.hpp"
 #include "geometry/homography.hpp"
@@ -14,7 +15,6 @@
 #include "rendering/color_field.hpp"
 #include "rendering/inverse_map.hpp"
 #include "rendering/mesh_overlay.hpp"
-#include "rendering/natural_view.hpp"
 #include "rendering/remap_tiled.hpp"
 
 namespace cv
@@ -48,10 +48,10 @@ struct Placed
     FrameScale scale; ///< work pixels per pixel of the photograph
 };
 
-/// The target's mesh says only that it is its own frame: one quad is enough.
-Placed placedTarget(const Photograph& target)
+/// The target's mesh says only that it is its own frame.
+Placed placedTarget(const Photograph& target, const Lattice& quads)
 {
-    return {target, MeshGrid(Lattice(target.image.size(), 1, 1)), FrameScale(), FrameScale()};
+    return {target, MeshGrid(Lattice(target.image.size(), quads.cols(), quads.rows())), FrameScale(), FrameScale()};
 }
 
 void checkView(View view)
@@ -60,18 +60,8 @@ void checkView(View view)
         CV_Error(Error::StsOutOfRange, format("gcpw: the view is %d; it must be one of gcpw::View", static_cast<int>(view)));
 }
 
-/// The view of the whole canvas: full-resolution pixels of a picture, up to a shift, from those of the target.
-Matx33d homographyOf(View view, const Placed& source, Size target)
-{
-    if (view == View::TARGET)
-        return Matx33d::eye();
-    const Lattice& quads = source.mesh.lattice();
-    return naturalView({{viewed(source.mesh, source.canvas, Matx33d::eye()), source.photograph.image.size()},
-                        {MeshGrid(Lattice(target, quads.cols(), quads.rows())), target}});
-}
-
 /// @param map receives where each pixel of the mask lies in the photograph
-void warp(const Placed& placed, const Matx33d& view, Rect roi, Mat& image, Mat& mask, Mat& map)
+void warp(const Placed& placed, const CanvasView& view, Rect roi, Mat& image, Mat& mask, Mat& map)
 {
     buildInverseMap(placed.mesh, placed.canvas, placed.scale, roi, map, mask, view);
     remapTiled(placed.photograph.image, image, map, Mat(), INTER_CUBIC, BORDER_REPLICATE);
@@ -134,31 +124,33 @@ PairCanvas renderPair(const Alignment& alignment, InputArray source_input, Input
                   FrameScale(image.work_size, image.full_size)};
     source.canvas.x = alignment.canvasScale().width;
     source.canvas.y = alignment.canvasScale().height;
-    const Placed target = placedTarget(toPhotograph(target_input, "target"));
+    const Placed target = placedTarget(toPhotograph(target_input, "target"), source.mesh.lattice());
     checkSize(source.photograph.image, image.full_size, "source");
     checkSize(target.photograph.image, alignment.image(1).full_size, "target");
-    const Matx33d shown = homographyOf(view, source, target.photograph.image.size());
-    const MeshGrid source_mesh = viewed(source.mesh, source.canvas, shown);
-    const Rect roi = canvasRect(coveredBounds(source_mesh, FrameScale()),
-                                coveredBounds(viewed(target.mesh, target.canvas, shown), FrameScale()));
+    const Size target_size = target.photograph.image.size();
+    CanvasView shown;
+    if (view == View::NATURAL)
+        shown = pairView(viewed(meshOf(alignment.rough().image(0)), source.canvas, CanvasView()), source.photograph.image.size(), target_size);
+    const Rect roi = canvasRect(viewedBounds(source.mesh, source.canvas, shown), viewedBounds(target.mesh, target.canvas, shown));
 
     PairCanvas canvas;
     Mat map;
     warp(source, shown, roi, canvas.source, canvas.source_mask, map);
     canvas.source_corrected = corrected(canvas.source, canvas.source_mask, map, image.color, image.full_size);
     if (view == View::TARGET)
-        place(target.photograph, {-roi.tl(), target.photograph.image.size()}, roi.size(), canvas.target, canvas.target_mask);
+        place(target.photograph, {-roi.tl(), target_size}, roi.size(), canvas.target, canvas.target_mask);
     else
         warp(target, shown, roi, canvas.target, canvas.target_mask, map);
     canvas.target_corrected = canvas.target;
     if (view == View::NATURAL && hasColors(image))
         shareLight(canvas);
-    const Matx33d to_canvas = Matx33d(1, 0, -roi.x, 0, 1, -roi.y, 0, 0, 1) * shown;
+    const Point2d middle(0.5 * target_size.width, 0.5 * target_size.height);
+    const Matx33d to_canvas = Matx33d(1, 0, -roi.x, 0, 1, -roi.y, 0, 0, 1) * shown.homographyAt(middle);
     canvas.canvas_from_target = Mat(to_canvas * (1 / to_canvas(2, 2)));
-    canvas.target_origin = applyHomography(to_canvas, Point2d());
+    canvas.target_origin = shown.show(Point2d()) - Point2d(roi.tl());
 
     canvas.mesh = blendPair(canvas, Blend::AVERAGE);
-    drawMesh(source_mesh, FrameScale(), roi.tl(), canvas.mesh);
+    drawMesh(viewed(source.mesh, source.canvas, shown), FrameScale(), roi.tl(), canvas.mesh);
     return canvas;
 }
 

@@ -6,6 +6,7 @@
 
 #include "geometry/frame_scale.hpp"
 #include "model/mesh_grid.hpp"
+#include "rendering/canvas_view.hpp"
 
 namespace cv
 {
@@ -24,13 +25,15 @@ Rect coveredRect(const MeshGrid& mesh, const FrameScale& canvas);
 @param roi full-resolution canvas pixels
 @param map CV_32FC2 of roi's size: full-resolution source position; (-1, -1) where the mesh does not cover the centre
 @param mask CV_8UC1 of roi's size: 255 exactly where the mesh covers the pixel's centre
-@param view homography of the full-resolution canvas, with positive depth all over the mesh: roi then lies in what it makes of
-the canvas */
+@param view of the full-resolution canvas, with positive depth all over the mesh: roi then lies in its picture */
 void buildInverseMap(const MeshGrid& mesh, const FrameScale& canvas, const FrameScale& source, Rect roi, Mat& map,
-                     Mat& mask, const Matx33d& view = Matx33d::eye());
+                     Mat& mask, const CanvasView& view = CanvasView());
 
 /// The mesh with its vertices where a view of the full-resolution canvas shows them; a quad's inside is only nearly bilinear there.
-MeshGrid viewed(const MeshGrid& mesh, const FrameScale& canvas, const Matx33d& view);
+MeshGrid viewed(const MeshGrid& mesh, const FrameScale& canvas, const CanvasView& view);
+
+/// Rectangle of a view's picture that holds every pixel whose centre the mesh covers: whole numbers, however large.
+Rect2d viewedBounds(const MeshGrid& mesh, const FrameScale& canvas, const CanvasView& view);
 
 } // namespace gcpw
 } // namespace cv

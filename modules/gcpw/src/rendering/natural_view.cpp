@@ -262,5 +262,20 @@ Matx33d naturalView(const std::vector<PlacedPhotograph>& photographs)
     return Matx33d(c, -s, 0, s, c, 0, 0, 0, 1) * view;
 }
 
+double largestStretch(const Matx33d& view, const std::vector<PlacedPhotograph>& photographs)
+{
+    double largest = 0;
+    for (const PlacedPhotograph& photograph : photographs)
+        for (const Patch& patch : patchesOf(photograph))
+        {
+            const Matx22d j = jacobianOf(view, patch.centre) * patch.jacobian;
+            const Matx22d squared = j.t() * j;
+            const double middle = 0.5 * (squared(0, 0) + squared(1, 1));
+            const double uneven = std::hypot(0.5 * (squared(0, 0) - squared(1, 1)), squared(0, 1));
+            largest = std::max(largest, std::sqrt(middle + uneven));
+        }
+    return largest;
+}
+
 } // namespace gcpw
 } // namespace cv

@@ -36,6 +36,9 @@ upright. Its shift is that of the centre of all quads to the origin.
 @return view from canvas, full-resolution pixels on both sides; the identity if no quad is left */
 Matx33d naturalView(const std::vector<PlacedPhotograph>& photographs);
 
+/// How much a view enlarges a pixel of any photograph at most, in any direction; quads that are folded are left out.
+double largestStretch(const Matx33d& view, const std::vector<PlacedPhotograph>& photographs);
+
 } // namespace gcpw
 } // namespace cv
 

@@ -68,10 +68,15 @@ enum class Blend
 /** @brief From where the two photographs of a picture are seen.
 
 In the target's own frame all distortion is the source's: where the camera turned far between the two, the source is stretched
-and the canvas grows. The natural view shares it out. It is one homography of the whole canvas, the one that stretches both
-photographs least, so alignment and straight lines stay as they are in the target's frame. Its scale keeps the area of both
-together, so that where a wide pair overlaps it may show down to 0.6 pixels for one of the target. It is upright halfway between
-both photographs; quarter turns of a camera held on its side are not halved.
+and the canvas grows. The natural view shares it out, and both still meet where they met. It is the first of these that fits:
+
+- the homography of the canvas that stretches both photographs least, if no pixel is enlarged more than 1.25 times. Its scale
+  keeps the area of both together. It is upright halfway between both photographs; quarter turns of a camera held on its side are
+  not halved;
+- that of a panorama, where a camera that turned about its vertical axis explains the pair: levelled along the turn, on a plane, or
+  where that enlarges more than 1.5 times, on a sphere. A pixel in its middle is a pixel of the photographs. On a sphere lines that
+  are neither upright nor on the horizon bend, as they do in cv::Stitcher's default;
+- the homography all the same.
 
 Colours follow the view. In the target's frame the source takes the light of the target, by the colours of the alignment. In the
 natural view both are corrected, so that together they keep the light of both: the colours are found anew with the photographs as
@@ -96,7 +101,9 @@ struct CV_EXPORTS_W_SIMPLE PairCanvas
     CV_PROP_RW Mat target_mask;      //!< CV_8UC1: 255 where the target has a valid pixel
     CV_PROP_RW Mat mesh;             //!< the mesh drawn over the mean of both, CV_8UC3
     CV_PROP_RW Point target_origin;  //!< canvas pixel of the target's top-left pixel, rounded
-    CV_PROP_RW Mat canvas_from_target; //!< 3 x 3, CV_64FC1: homography from pixels of the target; a shift for View::TARGET
+    /// 3 x 3, CV_64FC1: homography from pixels of the target; a shift for View::TARGET. If the view is a sphere, it is right at the
+    /// middle of the target and nearly so around it.
+    CV_PROP_RW Mat canvas_from_target;
 };
 
 /** @brief Renders an alignment at full resolution.
