@@ -29,6 +29,7 @@ void forgetShapes(Params& params)
         params.similarityWeight = alignment_only.similarityWeight;
     params.straightnessWeight = alignment_only.straightnessWeight;
     params.stretchLimit = alignment_only.stretchLimit;
+    params.distortionPrice = alignment_only.distortionPrice;
     params.outsideWeight = alignment_only.outsideWeight;
 }
 

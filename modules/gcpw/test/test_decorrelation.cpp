@@ -114,6 +114,40 @@ TEST(Gcpw_Decorrelation, one_thread_and_many_give_the_same_bits)
     EXPECT_EQ(one, many);
 }
 
+Candidate bestOf(const Problem& problem, const std::vector<ImageState>& end, const std::vector<ImageState>& matches,
+                 const std::vector<ImageState>& rough, double distortion_price = 0)
+{
+    return bestCandidate(problem, end, matches, rough, distortion_price).best;
+}
+
+TEST(Gcpw_BestCandidate, distortion_is_the_logarithm_of_a_stretch_and_nothing_for_a_similarity)
+{
+    Problem problem = problemOf(Size(320, 240));
+    std::vector<ImageState> states = shifted(problem, 7);
+    EXPECT_NEAR(distortionOf(problem, states), 0, 1e-6);
+    for (Point2d& vertex : states[0].mesh.vertices())
+        vertex = {0.8 * vertex.x - 0.3 * vertex.y, 0.3 * vertex.x + 0.8 * vertex.y};
+    EXPECT_NEAR(distortionOf(problem, states), 0, 1e-6);
+    for (Point2d& vertex : states[0].mesh.vertices())
+        vertex.x *= 1.3;
+    problem.images[1].fixed = true;
+    EXPECT_NEAR(distortionOf(problem, states), std::log(1.3), 1e-6);
+    problem.images[0].fixed = true;
+    EXPECT_EQ(distortionOf(problem, states), 0) << "nothing moves";
+}
+
+TEST(Gcpw_BestCandidate, what_changes_shapes_must_gain_more)
+{
+    Problem problem = problemOf(Size(320, 240));
+    const std::vector<ImageState> near_truth = shifted(problem, 1);
+    const std::vector<ImageState> rough = shifted(problem, 2);
+    for (Point2d& vertex : problem.images[0].rough.vertices())
+        vertex.y *= 1.4; // all candidates are distorted against it
+    EXPECT_EQ(bestOf(problem, near_truth, near_truth, rough, 0), Candidate::END);
+    EXPECT_EQ(bestOf(problem, near_truth, near_truth, rough, 0.5), Candidate::END);
+    EXPECT_EQ(bestOf(problem, near_truth, near_truth, rough, 5), Candidate::ROUGH);
+}
+
 TEST(Gcpw_BestCandidate, is_the_end_unless_an_earlier_one_correlates_better)
 {
     for (const Size size : {Size(120, 90), Size(320, 240)})
@@ -122,11 +156,11 @@ TEST(Gcpw_BestCandidate, is_the_end_unless_an_earlier_one_correlates_better)
         const std::vector<ImageState> near_truth = shifted(problem, 0.5);
         const std::vector<ImageState> off = shifted(problem, 1.5);
         const std::vector<ImageState> far = shifted(problem, 3);
-        EXPECT_EQ(bestCandidate(problem, near_truth, off, far).best, Candidate::END);
-        EXPECT_EQ(bestCandidate(problem, far, near_truth, off).best, Candidate::MATCHES);
-        EXPECT_EQ(bestCandidate(problem, off, far, near_truth).best, Candidate::ROUGH);
-        EXPECT_EQ(bestCandidate(problem, off, off, off).best, Candidate::ROUGH) << "what gains nothing is not worth its bends";
-        EXPECT_EQ(bestCandidate(problem, shifted(problem, 0), shifted(problem, 0), shifted(problem, 0)).best, Candidate::END)
+        EXPECT_EQ(bestOf(problem, near_truth, off, far), Candidate::END);
+        EXPECT_EQ(bestOf(problem, far, near_truth, off), Candidate::MATCHES);
+        EXPECT_EQ(bestOf(problem, off, far, near_truth), Candidate::ROUGH);
+        EXPECT_EQ(bestOf(problem, off, off, off), Candidate::ROUGH) << "what gains nothing is not worth its bends";
+        EXPECT_EQ(bestOf(problem, shifted(problem, 0), shifted(problem, 0), shifted(problem, 0)), Candidate::END)
             << "of two that are perfect none is better";
     }
 }
@@ -139,19 +173,19 @@ TEST(Gcpw_BestCandidate, is_never_one_that_left_the_overlap_or_moved_out_of_prop
     const std::vector<ImageState> rough = shifted(problem, 3);
     const std::vector<ImageState> away = shifted(problem, 500);
     problem.images[0].rough = rough[0].mesh;
-    EXPECT_EQ(bestCandidate(problem, truth, near_truth, rough).best, Candidate::END);
+    EXPECT_EQ(bestOf(problem, truth, near_truth, rough), Candidate::END);
     problem.images[0].rough = away[0].mesh; // so that the move alone says nothing
-    EXPECT_EQ(bestCandidate(problem, away, near_truth, rough).best, Candidate::ROUGH) << "near_truth moved 499 px";
+    EXPECT_EQ(bestOf(problem, away, near_truth, rough), Candidate::ROUGH) << "near_truth moved 499 px";
     problem.images[0].rough = MeshGrid(problem.images[0].rough.lattice(), Point2d(110, 0));
-    EXPECT_EQ(bestCandidate(problem, truth, near_truth, rough).best, Candidate::END) << "0.275 of the diagonal";
+    EXPECT_EQ(bestOf(problem, truth, near_truth, rough), Candidate::END) << "0.275 of the diagonal";
     problem.images[0].rough = MeshGrid(problem.images[0].rough.lattice(), Point2d(130, 0));
-    EXPECT_EQ(bestCandidate(problem, truth, near_truth, rough).best, Candidate::ROUGH) << "0.325 of the diagonal";
+    EXPECT_EQ(bestOf(problem, truth, near_truth, rough), Candidate::ROUGH) << "0.325 of the diagonal";
 }
 
 TEST(Gcpw_BestCandidate, is_the_end_where_the_rough_alignment_shows_nothing_to_compare)
 {
     const Problem problem = problemOf(Size(320, 240), 1, 0, false);
-    EXPECT_EQ(bestCandidate(problem, shifted(problem, 2), shifted(problem, 1), shifted(problem, 0)).best, Candidate::END);
+    EXPECT_EQ(bestOf(problem, shifted(problem, 2), shifted(problem, 1), shifted(problem, 0)), Candidate::END);
 }
 
 /// Matches of a scene without any displacement, all of one region carried away together.

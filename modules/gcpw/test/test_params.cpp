@@ -56,6 +56,7 @@ TEST(Gcpw_Params, paper_switches_every_addition_off)
     EXPECT_EQ(p.restWeight, 0);
     EXPECT_EQ(p.straightnessWeight, 0);
     EXPECT_EQ(p.stretchLimit, 0);
+    EXPECT_EQ(p.distortionPrice, 0);
     EXPECT_EQ(p.outsideWeight, 0);
     EXPECT_EQ(p.stopGain, 0) << "the paper ends when the mesh is stable";
     EXPECT_GE(p.maxIterations, 1000) << "and by nothing else";
@@ -68,7 +69,7 @@ TEST(Gcpw_Params, alignment_only_lets_lines_and_shapes_go)
     EXPECT_EQ(p.stretchLimit, 0);
     const Params defaults;
     EXPECT_GT(defaults.straightnessWeight, 0);
-    for (const char* const name : {"straightnessWeight", "outsideWeight", "stretchLimit", "similarityWeight"})
+    for (const char* const name : {"straightnessWeight", "outsideWeight", "stretchLimit", "similarityWeight", "distortionPrice"})
         p.set(name, defaults.get(name));
     for (const std::string& name : Params::names())
         EXPECT_EQ(p.get(name), defaults.get(name)) << name;

@@ -41,6 +41,7 @@ const Field FIELDS[] = {
     {"stretchLimit", nullptr, &Params::stretchLimit, 0, LARGEST, true},
     {"outsideWeight", nullptr, &Params::outsideWeight, 0, HEAVIEST, true},
     {"straightnessWeight", nullptr, &Params::straightnessWeight, 0, HEAVIEST, true},
+    {"distortionPrice", nullptr, &Params::distortionPrice, 0, LARGEST, true},
     {"colorSmoothnessWeight", nullptr, &Params::colorSmoothnessWeight, 0, HEAVIEST, false},
     {"colorRestWeight", nullptr, &Params::colorRestWeight, 0, HEAVIEST, false},
     {"sampleStep", &Params::sampleStep, nullptr, 1, 64, true},
@@ -94,6 +95,7 @@ Params::Params()
     stretchLimit = 0.5;
     outsideWeight = 0.3;
     straightnessWeight = 8;
+    distortionPrice = 2;
     colorSmoothnessWeight = 100;
     colorRestWeight = 1;
     sampleStep = 2;
@@ -124,6 +126,7 @@ Params Params::alignmentOnly()
     p.similarityWeight = 0.2;
     p.stretchLimit = 0;
     p.straightnessWeight = 0;
+    p.distortionPrice = 0;
     p.outsideWeight = 0;
     return p;
 }

@@ -74,7 +74,7 @@ void refine(const Problem& problem, const Params& params, const StepCallback& pr
         break;
     case OptimizeStatus::RoughKept:
         report.status = Status::ROUGH;
-        report.message = "the refinement lines the images up no better than the rough alignment, which was kept";
+        report.message = "the refinement gains too little over the rough alignment for what it changes; the rough alignment was kept";
         break;
     case OptimizeStatus::PixelsSingular:
         report.message = "the normal equations of a level with pixels are singular; its last good state was kept";

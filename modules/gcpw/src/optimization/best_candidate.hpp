@@ -34,11 +34,15 @@ struct Choice
 
 The energy cannot tell: matches that are wrong together, or pixels that show something else, lower it while the picture gets
 worse. The rough alignment is kept if nothing is clearly better, and the matches' meshes if the end is clearly worse than they
-are. A mesh that moved out of proportion, or after which nothing is left to compare, is never chosen; where nothing can be
+are. What changes shapes has to be better by more (Params::distortionPrice). A mesh that moved out of proportion, or after which nothing is left to compare, is never chosen; where nothing can be
 compared at the rough alignment, the end is.
-@param end, matches, rough the candidates */
+@param end, matches, rough the candidates
+@param distortion_price see Params::distortionPrice */
 Choice bestCandidate(const Problem& problem, const std::vector<ImageState>& end, const std::vector<ImageState>& matches,
-                     const std::vector<ImageState>& rough);
+                     const std::vector<ImageState>& rough, double distortion_price);
+
+/// Root of the mean square of ln(s1 / s2) over the quads of all images that are not fixed, against the rough alignment; 0 if all are.
+double distortionOf(const Problem& problem, const std::vector<ImageState>& states);
 
 } // namespace gcpw
 } // namespace cv

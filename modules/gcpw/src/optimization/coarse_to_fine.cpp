@@ -185,7 +185,7 @@ OptimizeStatus CoarseToFine::refine(State& state, std::vector<LevelReport>& repo
     if (status == OptimizeStatus::Cancelled)
         return status;
     // Without anchors the end is not compared with the matches' meshes; with the rough alignment it always is.
-    choice_ = bestCandidate(problem_, state, params_.anchorWeight > 0 ? matched : state, rough);
+    choice_ = bestCandidate(problem_, state, params_.anchorWeight > 0 ? matched : state, rough, params_.distortionPrice);
     if (choice_.best == Candidate::END)
         return status;
     // The colours belong to the meshes that were rejected.

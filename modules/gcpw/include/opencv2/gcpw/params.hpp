@@ -62,7 +62,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     /** @brief The weights for the closest alignment of the overlap, whatever it does to lines and shapes.
 
-    straightnessWeight, outsideWeight and stretchLimit are 0, similarityWeight is 0.2; everything else as by default.
+    straightnessWeight, outsideWeight, stretchLimit and distortionPrice are 0, similarityWeight is 0.2; everything else as by default.
     @return parameters that pass check() */
     CV_WRAP static Params alignmentOnly();
 
@@ -146,6 +146,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// stay as straight as the rough alignment has them. Larger values hold them more strictly. 0: lines bend with the mesh.
     /// Typical: 1..20. default 8
     CV_PROP_RW double straightnessWeight;
+    /// What a refinement must pay for the shapes that it changes, >= 0; not in the paper. With a distortion D, the root of the mean
+    /// square of ln(s1 / s2) over all quads that move (s1, s2: singular values of a quad's change from the rough alignment), it must
+    /// remove more than this times (D - 0.1) of the misalignment, or the rough alignment is kept: where near and far things ask for
+    /// different warps, one mesh shears what lies between and lines up little. Larger values keep more rough alignments. 0: distortion
+    /// is free. Typical: 1..4. default 2
+    CV_PROP_RW double distortionPrice;
     /// lambda_4, weight of a squared difference of the colours of adjacent quads (eq. colorterm), > 0. Larger values make the
     /// colour correction smoother; the paper's 1 lets gains collapse in quads without texture. Typical: 10..300. default 100
     CV_PROP_RW double colorSmoothnessWeight;
