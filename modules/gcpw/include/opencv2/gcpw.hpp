@@ -36,6 +36,7 @@ stitcher->stitch(photographs, panorama);
 | warper.hpp | GcpwWarper: the meshes of a rig behind any warper |
 | rotation_warper.hpp | GcpwRotationWarper: what GcpwWarper makes; PyGcpwWarper: the same for Python |
 | compensator.hpp | GcpwCompensator: local colours |
+| seam_finder.hpp | GcpwSeamFinder: cuts that leave things whole |
 */
 
 #include "opencv2/gcpw/aligner.hpp"
@@ -47,6 +48,7 @@ stitcher->stitch(photographs, panorama);
 #include "opencv2/gcpw/params.hpp"
 #include "opencv2/gcpw/rig.hpp"
 #include "opencv2/gcpw/rotation_warper.hpp"
+#include "opencv2/gcpw/seam_finder.hpp"
 #include "opencv2/gcpw/stitcher.hpp"
 #include "opencv2/gcpw/warper.hpp"
 

@@ -34,7 +34,7 @@ struct Choice
 
 The energy cannot tell: matches that are wrong together, or pixels that show something else, lower it while the picture gets
 worse. The rough alignment is kept if nothing is clearly better, and the matches' meshes if the end is clearly worse than they
-are. What changes shapes has to be better by more (Params::distortionPrice). A mesh that moved out of proportion, or after which nothing is left to compare, is never chosen; where nothing can be
+are; these, which the pixels did not confirm, have to gain twice as much. What changes shapes has to be better by more (Params::distortionPrice). A mesh that moved out of proportion, or after which nothing is left to compare, is never chosen; where nothing can be
 compared at the rough alignment, the end is.
 @param end, matches, rough the candidates
 @param distortion_price see Params::distortionPrice */

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/stitching/detail/blenders.hpp>
-#include <opencv2/stitching/detail/seam_finders.hpp>
 #include "rendering/extension.hpp"
+#include "rendering/seam_cut.hpp"
 
 namespace cv
 {
@@ -26,25 +26,21 @@ std::array<Mat, 2> cutSeam(const TwoImages& images, const TwoMasks& masks)
     const Size full = images[0].size();
     const double scale = std::min(1.0, std::sqrt(SEAM_MEGAPIX * 1e6 / static_cast<double>(images[0].total())));
     const Size size(std::max(cvRound(full.width * scale), 1), std::max(cvRound(full.height * scale), 1));
-    std::vector<UMat> small(2);
-    std::vector<UMat> cut(2);
+    std::array<PlacedPicture, 2> small;
     for (int i = 0; i < 2; ++i)
     {
         Mat image;
-        Mat mask;
         resize(images[i], image, size, 0, 0, INTER_AREA);
-        resize(masks[i], mask, size, 0, 0, INTER_NEAREST);
-        image.convertTo(small[i], CV_32F);
-        mask.copyTo(cut[i]);
+        image.convertTo(small[i].image, CV_32F);
+        resize(masks[i], small[i].mask, size, 0, 0, INTER_NEAREST);
     }
-    cv::detail::GraphCutSeamFinder finder(cv::detail::GraphCutSeamFinderBase::COST_COLOR_GRAD);
-    finder.find(small, {Point(), Point()}, cut);
+    cutBetween(small[0], small[1]);
     // As cv::Stitcher does: a little wider than the seam, so that every pixel belongs to one of them.
     std::array<Mat, 2> kept;
     for (int i = 0; i < 2; ++i)
     {
         Mat mask;
-        dilate(cut[i], mask, Mat());
+        dilate(small[i].mask, mask, Mat());
         resize(mask, mask, full, 0, 0, INTER_LINEAR);
         kept[i] = masks[i] & (mask > 0);
     }

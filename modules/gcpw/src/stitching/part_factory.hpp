@@ -6,6 +6,7 @@
 
 #include <memory>
 #include "opencv2/gcpw/compensator.hpp"
+#include "opencv2/gcpw/seam_finder.hpp"
 #include "opencv2/gcpw/warper.hpp"
 
 namespace cv
@@ -30,6 +31,12 @@ struct PartFactory
     static Ptr<GcpwCompensator> compensator(const Params& params, const std::shared_ptr<SharedState>& shared_state)
     {
         return Ptr<GcpwCompensator>(new GcpwCompensator(params, shared_state));
+    }
+
+    static Ptr<GcpwSeamFinder> seamFinder(const std::shared_ptr<SharedState>& shared_state,
+                                          const Ptr<cv::detail::SeamFinder>& fallback)
+    {
+        return Ptr<GcpwSeamFinder>(new GcpwSeamFinder(shared_state, fallback));
     }
 };
 

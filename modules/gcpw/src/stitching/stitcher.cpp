@@ -41,6 +41,12 @@ Ptr<cv::detail::FeaturesMatcher> plainMatcher(const Ptr<Stitcher>& stitcher)
     return wrapped ? wrapped->matcher() : stitcher->featuresMatcher();
 }
 
+Ptr<cv::detail::SeamFinder> plainSeamFinder(const Ptr<Stitcher>& stitcher)
+{
+    const Ptr<GcpwSeamFinder> wrapped = stitcher->seamFinder().dynamicCast<GcpwSeamFinder>();
+    return wrapped && wrapped->fallback() ? wrapped->fallback() : stitcher->seamFinder();
+}
+
 } // namespace
 
 Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params)
@@ -83,6 +89,9 @@ Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params,
     stitcher->setExposureCompensator(compensator);
     stitcher->setFeaturesFinder(makePtr<ImageCapture>(finder, binding->shown(), hook(&Binding::atWork)));
     stitcher->setFeaturesMatcher(makePtr<SeededMatcher>(matcher));
+    const Ptr<cv::detail::SeamFinder> seam_finder = plainSeamFinder(stitcher);
+    if (seam_finder.dynamicCast<cv::detail::GraphCutSeamFinder>()) // the default; any other was chosen
+        stitcher->setSeamFinder(PartFactory::seamFinder(shared_state, seam_finder));
     binding->installed();
     return binding;
 }

@@ -60,12 +60,14 @@ stitcher->stitch(photographs, panorama);
 binding->rig().save("rig.yml.gz"); // for other photographs by the same cameras: setRig()
 @endcode
 
-Four parts are replaced, each by one that contains the stitcher's own; attaching again unwraps them first:
+Five parts are replaced, each by one that contains the stitcher's own; attaching again unwraps them first:
 - the warper, by GcpwWarper: the own one is the base warper;
 - the exposure compensator, by GcpwCompensator: the own one is the fallback;
 - the features finder, by one that keeps the images it is given and the keypoints it finds, if they are SIFT's; it finds the same;
 - the features matcher, by one that starts from a fixed state of cv::theRNG() and restores the thread's state afterwards.
-  OpenCV's matchers search random trees: this way the same images give the same bits every time.
+  OpenCV's matchers search random trees: this way the same images give the same bits every time;
+- the seam finder, by GcpwSeamFinder, if it is a cv::detail::GraphCutSeamFinder, the stitcher's default. One that is set after
+  attach() stays.
 
 Call attach() last. If a part is replaced after it, a warning is logged and StitcherBinding::replacedParts() names the part;
 without the warper or without any images the panorama is the plain one, and rig().alignment.report() says so.
