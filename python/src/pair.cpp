@@ -99,6 +99,7 @@ void bindPair(py::module_& module)
         .def_property_readonly("source_mask", &member<&PairCanvas::source_mask>, "255 where the source has pixels.")
         .def_property_readonly("source_corrected", &member<&PairCanvas::source_corrected>, "The warped source in the target's light.")
         .def_property_readonly("target", &member<&PairCanvas::target>, "The target as its view has it.")
+        .def_property_readonly("target_corrected", &member<&PairCanvas::target_corrected>, "The target in the light of both, where its view says so.")
         .def_property_readonly("target_mask", &member<&PairCanvas::target_mask>, "255 where the target has pixels.")
         .def_property_readonly("mesh", &member<&PairCanvas::mesh>, "The mesh drawn over the mean of both.")
         .def_property_readonly("target_origin", [](const PairCanvas& self) { return std::make_pair(self.target_origin.x, self.target_origin.y); },
