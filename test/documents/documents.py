@@ -7,7 +7,7 @@ import re
 from typing import NamedTuple
 
 # CHANGELOG.md tells what has been, so it may name what is no more.
-DOCUMENTS = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "samples/README.md", "doc/*.md", "modules/gcpw/README.md",
+DOCUMENTS = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "samples/README.md", "doc/*.md", "modules/gcpw/README.md", "packaging/README.md", "python/README.md",
              "modules/gcpw/tutorials/*.markdown", "modules/gcpw/include/**/*.hpp")
 FENCE = re.compile(r"^```\.?(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 CODE = re.compile(r"@code(?:\{\.(\w+)\})?\n(.*?)@endcode", re.DOTALL)

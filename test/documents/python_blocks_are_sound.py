@@ -2,8 +2,9 @@
 # This file is part of OpenCV project.
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
-"""Every block of Python in documents and public headers must parse, and every name of cv2.gcpw in it be one that the public
-headers export. Whether they run, only a cv2 with this module can tell (modules/gcpw/misc/python/test).
+"""Every block of Python in documents and public headers must parse, every name of cv2.gcpw in it be one that the public headers
+export, and every name of gcpw one of the Python package. Whether they run, only a cv2 with this module can tell
+(modules/gcpw/misc/python/test), and the tests of the package (python/tests).
 
 Usage: python_blocks_are_sound.py REPOSITORY"""
 import ast
@@ -31,8 +32,14 @@ def exported(repository):
     return names
 
 
+def of_package(repository):
+    tree = ast.parse((pathlib.Path(repository) / "python/gcpw/__init__.py").read_text(encoding="utf-8"))
+    return set(next(ast.literal_eval(node.value) for node in tree.body
+                    if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"))
+
+
 def main(arguments):
-    names = exported(arguments[1])
+    names = {"cv2.gcpw": exported(arguments[1]), "gcpw": of_package(arguments[1])}
     found = blocks(arguments[1], "python")
     faults = []
     for block in found:
@@ -43,8 +50,8 @@ def main(arguments):
             faults.append(f"{where}: {error}")
             continue
         for node in ast.walk(tree):
-            if isinstance(node, ast.Attribute) and ast.unparse(node.value) == "cv2.gcpw" and node.attr not in names:
-                faults.append(f"{where}: there is no cv2.gcpw.{node.attr}")
+            if isinstance(node, ast.Attribute) and node.attr not in names.get(ast.unparse(node.value), {node.attr}):
+                faults.append(f"{where}: there is no {ast.unparse(node)}")
     return conclude(len(found), "blocks of Python", faults)
 
 

@@ -1,7 +1,14 @@
 # The module on its own: target gcpw::gcpw, installed so that find_package(gcpw) finds it.
 
 include(GNUInstallDirs)
-include(CMakePackageConfigHelpers)
+include("${CMAKE_CURRENT_LIST_DIR}/version.cmake")
+
+# A project that takes this one in decides itself what it installs.
+set(gcpw_alone OFF)
+if(CMAKE_PROJECT_NAME STREQUAL "gcpw")
+    set(gcpw_alone ON)
+endif()
+option(GCPW_INSTALL "Install the library, its headers and its packages for CMake and pkg-config" ${gcpw_alone})
 
 set(gcpw_opencv_version 4.5.1)
 # A package of OpenCV 5 says it is not compatible with 4.5.1, so the version is looked at here.
@@ -39,6 +46,8 @@ if(BUILD_SHARED_LIBS)
     target_compile_definitions(gcpw_objects PRIVATE CVAPI_EXPORTS)
 endif()
 
+# Until 1.0 the interface may change with every minor version.
+string(REGEX REPLACE "^([0-9]+[.][0-9]+).*" "\\1" gcpw_soversion ${GCPW_VERSION})
 add_library(gcpw $<TARGET_OBJECTS:gcpw_objects>)
 add_library(gcpw::gcpw ALIAS gcpw)
 target_include_directories(gcpw PUBLIC
@@ -47,16 +56,9 @@ target_include_directories(gcpw PUBLIC
 target_link_libraries(gcpw PUBLIC ${gcpw_public_libs} PRIVATE ${gcpw_private_libs})
 set_target_properties(gcpw PROPERTIES
     LINKER_LANGUAGE CXX
-    VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    VERSION ${GCPW_VERSION}
+    SOVERSION ${gcpw_soversion})
 
-set(gcpw_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/gcpw")
-install(TARGETS gcpw EXPORT gcpw)
-install(DIRECTORY include/opencv2 DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
-install(EXPORT gcpw NAMESPACE gcpw:: FILE gcpwTargets.cmake DESTINATION "${gcpw_config_dir}")
-configure_package_config_file(cmake/gcpwConfig.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/gcpwConfig.cmake"
-    INSTALL_DESTINATION "${gcpw_config_dir}")
-write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/gcpwConfigVersion.cmake"
-    COMPATIBILITY SameMinorVersion)
-install(FILES "${CMAKE_CURRENT_BINARY_DIR}/gcpwConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/gcpwConfigVersion.cmake"
-    DESTINATION "${gcpw_config_dir}")
+if(GCPW_INSTALL)
+    include(cmake/install.cmake)
+endif()

@@ -4,6 +4,8 @@
 #include "opencv2/gcpw/rotation_warper.hpp"
 
 #include <opencv2/stitching/warpers.hpp>
+#include "opencv2/gcpw/compensator.hpp"
+#include "opencv2/gcpw/warper.hpp"
 #include "stitching/warper_names.hpp"
 
 namespace cv
@@ -24,7 +26,7 @@ float positive(float scale)
 } // namespace
 
 PyGcpwWarper::PyGcpwWarper(const String& warper, float scale, const Rig& rig)
-    : warper_(makePtr<GcpwRotationWarper>(warperOfName(warper)->create(positive(scale)), rig))
+    : creator_(makePtr<GcpwWarper>(warperOfName(warper), rig)), warper_(creator_->create(positive(scale)))
 {
 }
 
@@ -48,8 +50,8 @@ Point PyGcpwWarper::warp(InputArray src, InputArray K, InputArray R, int interp_
     return warper_->warp(src, K, R, interp_mode, border_mode, dst);
 }
 
-void PyGcpwWarper::warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, Size dst_size,
-                                OutputArray dst)
+void PyGcpwWarper::warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
+                                Size dst_size, OutputArray dst)
 {
     warper_->warpBackward(src, K, R, interp_mode, border_mode, dst_size, dst);
 }
@@ -57,6 +59,11 @@ void PyGcpwWarper::warpBackward(InputArray src, InputArray K, InputArray R, int 
 Rect PyGcpwWarper::warpRoi(Size src_size, InputArray K, InputArray R)
 {
     return warper_->warpRoi(src_size, K, R);
+}
+
+Ptr<GcpwCompensator> PyGcpwWarper::compensator(const Params& params) const
+{
+    return creator_->compensator(params);
 }
 
 float PyGcpwWarper::getScale() const

@@ -249,9 +249,11 @@ Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail::CameraPara
 }
 
 Rig alignRigByName(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras, const String& warper,
-                   const Params& params)
+                   const Params& params, const Progress& progress)
 {
-    return alignRig(images, cameras, warperOfName(warper), params);
+    Rig rig = alignRig(images, cameras, warperOfName(warper), params, progress);
+    rig.projection = warper;
+    return rig;
 }
 
 } // namespace gcpw

@@ -19,6 +19,8 @@ namespace gcpw
 
 /** @brief Called from time to time during a long call. Return false to cancel.
 
+In Python a function of these two arguments; what it raises is written to standard error and cancels.
+
 Arguments: the stage ("features", "homography", "align", "render") and the fraction of that stage that is done, 0..1. */
 typedef std::function<bool(const std::string& stage, double fraction)> Progress;
 
@@ -32,13 +34,13 @@ enum class Status
 };
 
 /// Energy of the terms of one name, weighted as in eq. totalfunction.
-struct CV_EXPORTS TermEnergy
+struct CV_EXPORTS_W_SIMPLE TermEnergy
 {
-    std::string name; //!< "photometric", "points", "lines", "similarity", "color_smoothness", ..
-    double value;     //!< of the whole level
+    CV_PROP_RW std::string name; //!< "photometric", "points", "lines", "similarity", "color_smoothness", ..
+    CV_PROP_RW double value;     //!< of the whole level
 
     /// @param term name of the terms  @param energy their weighted sum, >= 0
-    explicit TermEnergy(const std::string& term = std::string(), double energy = 0) : name(term), value(energy) {}
+    CV_WRAP explicit TermEnergy(const std::string& term = std::string(), double energy = 0) : name(term), value(energy) {}
 };
 
 /// The sum of all.
@@ -61,13 +63,16 @@ enum class StopReason
 Energies can be compared within a level only: another level has other samples, exposures and anchors. Even within one, weights
 that a term chooses from the state hold for one iteration: it never raises the energy, while `end` may exceed `start` by what the
 weights changed. */
-struct CV_EXPORTS LevelReport
+struct CV_EXPORTS_W_SIMPLE LevelReport
 {
-    double scale = 1; //!< working pixels per pixel of this level, >= 1
-    int iterations = 0; //!< Gauss-Newton iterations made
-    std::vector<TermEnergy> start; //!< after the colours were initialised (eq. initialfunction)
-    std::vector<TermEnergy> end; //!< of the last state accepted; the same terms as start
-    StopReason stop = StopReason::ITERATION_LIMIT; //!< why it ended
+    /// No iterations.
+    CV_WRAP LevelReport() : scale(1), iterations(0), stop(StopReason::ITERATION_LIMIT) {}
+
+    CV_PROP_RW double scale;   //!< working pixels per pixel of this level, >= 1
+    CV_PROP_RW int iterations; //!< Gauss-Newton iterations made
+    CV_PROP_RW std::vector<TermEnergy> start; //!< after the colours were initialised (eq. initialfunction)
+    CV_PROP_RW std::vector<TermEnergy> end; //!< of the last state accepted; the same terms as start
+    CV_PROP_RW StopReason stop; //!< why it ended
 };
 
 /// How well two images line up; lower is better, 0 is perfect, NaN where nothing could be compared.
@@ -81,25 +86,31 @@ struct CV_EXPORTS_W_SIMPLE Score
 };
 
 /// What was found between two images.
-struct CV_EXPORTS PairReport
+struct CV_EXPORTS_W_SIMPLE PairReport
 {
-    int a = 0;      //!< index of the one image
-    int b = 1;      //!< index of the other
-    int points = 0; //!< point matches used
-    int lines = 0;  //!< line matches used
+    /// Of images 0 and 1, without matches.
+    CV_WRAP PairReport() : a(0), b(1), points(0), lines(0), miss_before(0), miss_after(0) {}
+
+    CV_PROP_RW int a;      //!< index of the one image
+    CV_PROP_RW int b;      //!< index of the other
+    CV_PROP_RW int points; //!< point matches used
+    CV_PROP_RW int lines;  //!< line matches used
     /// Score::zncc of the rough alignment, found without rendering: over windows of 5 x 5 working pixels, of a large image only
     /// over as many rows as suffice. NaN where nothing could be compared.
-    double miss_before = 0;
-    double miss_after = 0; //!< the same of the result
+    CV_PROP_RW double miss_before;
+    CV_PROP_RW double miss_after; //!< the same of the result
 };
 
 /// Milliseconds of wall time.
-struct CV_EXPORTS Timings
+struct CV_EXPORTS_W_SIMPLE Timings
 {
-    double features = 0;   //!< detection and description
-    double homography = 0; //!< matching and rough alignment
-    double align = 0;      //!< everything from the rough alignment to the final mesh and colours
-    double total = 0;      //!< the whole call
+    /// All are 0.
+    CV_WRAP Timings() : features(0), homography(0), align(0), total(0) {}
+
+    CV_PROP_RW double features;   //!< detection and description
+    CV_PROP_RW double homography; //!< matching and rough alignment
+    CV_PROP_RW double align;      //!< everything from the rough alignment to the final mesh and colours
+    CV_PROP_RW double total;      //!< the whole call
 };
 
 /// How an alignment came about.
@@ -110,13 +121,13 @@ struct CV_EXPORTS_W_SIMPLE Report
 
     CV_PROP_RW Status status;       //!< how it ended
     CV_PROP_RW std::string message; //!< why the status is not OK, or what is missing although it is; else empty
-    std::vector<LevelReport> levels; //!< coarse to fine
-    std::vector<PairReport> pairs;   //!< one for each pair of images that was aligned to each other
+    CV_PROP_RW std::vector<LevelReport> levels; //!< coarse to fine
+    CV_PROP_RW std::vector<PairReport> pairs;   //!< one for each pair of images that was aligned to each other
     CV_PROP_RW int folds;                  //!< folded or flipped quads of all meshes; 0 by construction
     CV_PROP_RW double max_displacement_px; //!< largest distance of a vertex from its rough position, working pixels
     CV_PROP_RW double gain_min;            //!< smallest gain of all quads and channels, 1: no change
     CV_PROP_RW double gain_max;            //!< largest gain of all quads and channels
-    Timings timings_ms;                    //!< how long it took
+    CV_PROP_RW Timings timings_ms;         //!< how long it took
 };
 
 /** @brief Where one image lies on the canvas, and how its colours change.

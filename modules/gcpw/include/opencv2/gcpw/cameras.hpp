@@ -20,45 +20,45 @@ namespace gcpw
 //! @{
 
 /// How estimateCameras() looks for cameras.
-struct CV_EXPORTS CameraOptions
+struct CV_EXPORTS_W_SIMPLE CameraOptions
 {
     /// The defaults.
-    CameraOptions();
+    CV_WRAP CameraOptions();
 
     /// Resolution of features and cameras, million pixels, more than 0: that of Stitcher::registrationResol(). Default 0.6.
-    double workMegapix;
+    CV_PROP_RW double workMegapix;
     /// Confidence of matches that two photographs belong together, as Stitcher::panoConfidenceThresh(), more than 0. Default 1.
-    double confidence;
+    CV_PROP_RW double confidence;
     /// Name of a warper as alignRigByName() knows them, to be used in any case; empty, the default, chooses.
-    std::string projection;
-    Ptr<Feature2D> finder;                    //!< empty: SIFT, also where contrast is low
-    Ptr<cv::detail::FeaturesMatcher> matcher; //!< empty: best of two nearest
+    CV_PROP_RW std::string projection;
+    CV_PROP_RW Ptr<Feature2D> finder;                    //!< empty: SIFT, also where contrast is low
+    CV_PROP_RW Ptr<cv::detail::FeaturesMatcher> matcher; //!< empty: best of two nearest
     /// Tried on photographs that the first leaves alone; its matches count only if the pictures confirm them. Empty: as the first,
     /// less strict.
-    Ptr<cv::detail::FeaturesMatcher> secondMatcher;
+    CV_PROP_RW Ptr<cv::detail::FeaturesMatcher> secondMatcher;
 };
 
 /** @brief Cameras and a projection for a set of photographs, and why these. */
-struct CV_EXPORTS CameraEstimate
+struct CV_EXPORTS_W_SIMPLE CameraEstimate
 {
     /// Without cameras: not ok().
-    CameraEstimate() : work_scale(1), turned(false) {}
+    CV_WRAP CameraEstimate() : work_scale(1), turned(false) {}
 
-    std::vector<int> component;                    //!< which of the photographs have a camera, 0-based, ascending
-    std::vector<cv::detail::CameraParams> cameras; //!< of these, at the resolution of `images`; none if there are none
-    std::vector<Mat> images;                       //!< these photographs, 8-bit as given, scaled down by work_scale
+    CV_PROP_RW std::vector<int> component;                    //!< which of the photographs have a camera, 0-based, ascending
+    CV_PROP_RW std::vector<cv::detail::CameraParams> cameras; //!< of these, at the resolution of `images`; none if there are none
+    CV_PROP_RW std::vector<Mat> images;                       //!< these photographs, 8-bit as given, scaled down by work_scale
     std::vector<KnownKeypoints> keypoints;         //!< of `images`; empty if they are not SIFT's
-    double work_scale;                             //!< pixels of `images` per pixel of the photographs
-    std::string projection;                        //!< name of the warper that the cameras are for
+    CV_PROP_RW double work_scale;                             //!< pixels of `images` per pixel of the photographs
+    CV_PROP_RW std::string projection;                        //!< name of the warper that the cameras are for
     /// The picture comes out turned to the left: rotate(picture, picture, ROTATE_90_CLOCKWISE) makes it stand. So are sweeps
     /// upwards and photographs that lie on their side kept off the poles of the sphere.
-    bool turned;
-    std::vector<std::string>
+    CV_PROP_RW bool turned;
+    CV_PROP_RW std::vector<std::string>
         decisions; //!< one sentence for each choice that was made, in order; the reason if there are no cameras
 
     /// Whether there are cameras.
     /// @return false if no two photographs match; the last of `decisions` says why
-    bool ok() const { return !cameras.empty(); }
+    CV_WRAP bool ok() const { return !cameras.empty(); }
 
     /// The warper of `projection`.
     /// @return its creator, e.g. cv::SphericalWarper
@@ -89,16 +89,16 @@ stitcher->composePanorama(picture);
 @param options see there
 @return the cameras, or none and the reason in CameraEstimate::decisions
 @throws cv::Exception if photographs are too few, empty or not of 8 bits, or options are out of range */
-CV_EXPORTS CameraEstimate estimateCameras(InputArrayOfArrays photographs,
-                                          const CameraOptions& options = CameraOptions());
+CV_EXPORTS_W CameraEstimate estimateCameras(InputArrayOfArrays photographs,
+                                            const CameraOptions& options = CameraOptions());
 
-/** @brief alignRig() of such cameras, with the keypoints that are known already.
+/** @brief alignRig() of such cameras, with the keypoints that are known already: alignEstimate in Python.
 @param estimate that is ok()
 @param params, progress as for alignRig(); params.referenceImage counts the photographs given to estimateCameras()
 @return with component and work_scale, so that it fits a cv::Stitcher after setTransform()
 @throws cv::Exception also if the estimate has no cameras */
-CV_EXPORTS Rig alignRig(const CameraEstimate& estimate, const Params& params = Params(),
-                        const Progress& progress = Progress());
+CV_EXPORTS_AS(alignEstimate) Rig alignRig(const CameraEstimate& estimate, const Params& params = Params(),
+                                          const Progress& progress = Progress());
 
 //! @}
 

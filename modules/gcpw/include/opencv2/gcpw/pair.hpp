@@ -42,7 +42,7 @@ CV_EXPORTS_W Alignment alignPair(InputArray source, InputArray target, const Par
 @param progress may be empty; cancelling returns Status::CANCELLED
 @return as above
 @throws cv::Exception as above */
-CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const Params& params, const Progress& progress);
+CV_EXPORTS_W Alignment alignPair(InputArray source, InputArray target, const Params& params, const Progress& progress);
 
 /** @brief The same with matches that are known already.
 
@@ -55,8 +55,8 @@ Method::GLOBAL only the homography
 @param progress may be empty; cancelling returns Status::CANCELLED
 @return as above; its report counts the matches used
 @throws cv::Exception also if sizes, counts or values of the matches are not as PairMatches says, before any work */
-CV_EXPORTS Alignment alignPair(InputArray source, InputArray target, const PairMatches& matches, const Params& params = Params(),
-                               const Progress& progress = Progress());
+CV_EXPORTS_W Alignment alignPair(InputArray source, InputArray target, const PairMatches& matches, const Params& params = Params(),
+                                 const Progress& progress = Progress());
 
 /// How the two images become one picture.
 enum class Blend

@@ -31,23 +31,26 @@ for (double weight : {0.1, 0.2, 0.5})
     show(cv::gcpw::alignPair(source, target, matches, params));
 }
 @endcode */
-struct CV_EXPORTS PairMatches
+struct CV_EXPORTS_W_SIMPLE PairMatches
 {
-    Status status = Status::OK; //!< OK, NO_ALIGNMENT or CANCELLED
-    std::string message;        //!< empty, or why the status is not OK
-    Size source_size; //!< pixels of the source
-    Size target_size; //!< pixels of the target
+    /// Status::OK without sizes and matches: to be filled in.
+    CV_WRAP PairMatches() : status(Status::OK), target_from_source(Matx33d::eye()) {}
+
+    CV_PROP_RW Status status; //!< OK, NO_ALIGNMENT or CANCELLED
+    CV_PROP_RW std::string message; //!< empty, or why the status is not OK
+    CV_PROP_RW Size source_size; //!< pixels of the source
+    CV_PROP_RW Size target_size; //!< pixels of the target
     /// The rough homography, pixels to pixels; does not mirror the source, and enlarges or reduces every part of it up to 1000
     /// times.
-    Matx33d target_from_source = Matx33d::eye();
+    CV_PROP_RW Matx33d target_from_source;
 
-    std::vector<Point2d> source_points; //!< may be empty
-    std::vector<Point2d> target_points; //!< the match of each of source_points
-    std::vector<Vec4d> source_lines;    //!< segments as x, y of the start, x, y of the end; they match as infinite lines
-    std::vector<Vec4d> target_lines;    //!< the match of each of source_lines
-    std::vector<double> line_weights;   //!< > 0 and at most 1e9, one for each line; a point has weight 1
+    CV_PROP_RW std::vector<Point2d> source_points; //!< may be empty
+    CV_PROP_RW std::vector<Point2d> target_points; //!< the match of each of source_points
+    CV_PROP_RW std::vector<Vec4d> source_lines;    //!< segments as x, y of the start, x, y of the end; they match as infinite lines
+    CV_PROP_RW std::vector<Vec4d> target_lines;    //!< the match of each of source_lines
+    CV_PROP_RW std::vector<double> line_weights;   //!< > 0 and at most 1e9, one for each line; a point has weight 1
 
-    Timings timings_ms; //!< of features and homography only
+    CV_PROP_RW Timings timings_ms; //!< of features and homography only
 };
 
 /** @brief Finds the rough homography of two photographs, and keypoints and line segments that match, verified by a mesh.
@@ -56,8 +59,8 @@ struct CV_EXPORTS PairMatches
 @param progress may be empty; cancelling returns Status::CANCELLED
 @return Status::OK with matches, or the reason why there are none
 @throws cv::Exception if an image is empty or of a type not listed, or params are out of range */
-CV_EXPORTS PairMatches findPairMatches(InputArray source, InputArray target, const Params& params = Params(),
-                                       const Progress& progress = Progress());
+CV_EXPORTS_W PairMatches findPairMatches(InputArray source, InputArray target, const Params& params = Params(),
+                                         const Progress& progress = Progress());
 
 //! @}
 

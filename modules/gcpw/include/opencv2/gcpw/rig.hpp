@@ -96,14 +96,15 @@ CV_EXPORTS Rig alignRig(InputArrayOfArrays images, const std::vector<cv::detail:
 
 /** @brief alignRig() with a base warper by its name, for languages without cv::WarperCreator: alignRig in Python.
 @param images, cameras as above
-@param params as above
+@param params, progress as above
 @param warper a name that cv::PyRotationWarper knows: "plane", "affine", "cylindrical", "spherical", "fisheye", "stereographic",
 "compressedPlaneA2B1", "compressedPlaneA1.5B1", "compressedPlanePortraitA2B1", "compressedPlanePortraitA1.5B1", "paniniA2B1",
 "paniniA1.5B1", "paniniPortraitA2B1", "paniniPortraitA1.5B1", "mercator" or "transverseMercator"
-@return as above
+@return as above, with the name of its projection
 @throws cv::Exception also StsBadArg if there is no warper of that name */
 CV_EXPORTS_AS(alignRig) Rig alignRigByName(InputArrayOfArrays images, const std::vector<cv::detail::CameraParams>& cameras,
-                                           const String& warper, const Params& params = Params());
+                                           const String& warper, const Params& params = Params(),
+                                           const Progress& progress = Progress());
 
 //! @}
 

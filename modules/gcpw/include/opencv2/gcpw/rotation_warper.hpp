@@ -13,6 +13,8 @@ namespace cv
 namespace gcpw
 {
 
+class GcpwCompensator;
+class GcpwWarper;
 class RigModel;
 
 //! @addtogroup gcpw
@@ -166,6 +168,12 @@ public:
     /// @return canvas pixels that the image covers
     CV_WRAP Rect warpRoi(Size src_size, InputArray K, InputArray R);
 
+    /** @brief A compensator with the colours of the rig, for what this and other warpers of the rig make, at any scale.
+    @param params for GcpwCompensator::feed(), which estimates colours only while the rig is not usable()
+    @return never empty
+    @throws cv::Exception if params are out of range */
+    CV_WRAP Ptr<GcpwCompensator> compensator(const Params& params = Params()) const;
+
     /// Scale of the base warper.
     /// @return pixels of the canvas per radian, or per pixel for the affine one
     CV_WRAP float getScale() const;
@@ -175,7 +183,8 @@ public:
     CV_WRAP void setScale(float scale);
 
 private:
-    Ptr<GcpwRotationWarper> warper_;
+    Ptr<GcpwWarper> creator_;
+    Ptr<cv::detail::RotationWarper> warper_;
 };
 
 //! @}

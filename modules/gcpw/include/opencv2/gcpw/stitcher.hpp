@@ -92,7 +92,7 @@ CV_EXPORTS_W Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Pa
 which then estimates again for the next panorama
 @return as above
 @throws cv::Exception as above */
-CV_EXPORTS Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params, const Progress& progress);
+CV_EXPORTS_W Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params, const Progress& progress);
 
 //! @}
 

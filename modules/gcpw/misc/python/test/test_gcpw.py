@@ -79,8 +79,33 @@ class Pair(unittest.TestCase):
         natural = cv2.gcpw.renderPair(alignment, source, target, cv2.gcpw.VIEW_NATURAL)
         self.assertEqual(natural.canvas_from_target.shape, (3, 3))
 
+    def test_matches_found_once_serve_other_parameters(self):
+        source, target = two_views()
+        matches = cv2.gcpw.findPairMatches(source, target)
+        self.assertEqual(matches.status, cv2.gcpw.STATUS_OK)
+        self.assertGreater(len(matches.source_points), 20)
+        self.assertEqual(len(matches.source_points), len(matches.target_points))
+        self.assertEqual(numpy.array(matches.target_from_source).shape, (3, 3))
+        self.assertTrue(cv2.gcpw.alignPair(source, target, matches).ok())
+
+    def test_the_report_says_what_happened(self):
+        report = cv2.gcpw.alignPair(*two_views()).report()
+        self.assertEqual((report.pairs[0].a, report.pairs[0].b), (0, 1))
+        self.assertGreater(report.pairs[0].points, 20)
+        self.assertGreater(report.timings_ms.total, 0)
+        for level in report.levels:
+            self.assertEqual([energy.name for energy in level.start], [energy.name for energy in level.end])
+
+    def test_progress_is_told_and_can_cancel(self):
+        stages = []
+        cv2.gcpw.alignPair(*two_views(), cv2.gcpw.Params(), lambda stage, fraction: stages.append(stage))
+        self.assertIn("features", stages)
+        alignment = cv2.gcpw.alignPair(*two_views(), cv2.gcpw.Params(), lambda stage, fraction: False)
+        self.assertEqual(alignment.report().status, cv2.gcpw.STATUS_CANCELLED)
+
     def test_every_value_type_can_be_made(self):
-        for name in ("Alignment", "AlignedImage", "PairCanvas", "Report", "Rig", "Score"):
+        for name in ("Alignment", "AlignedImage", "CameraEstimate", "CameraOptions", "LevelReport", "PairCanvas", "PairMatches",
+                     "PairReport", "Report", "Rig", "Score", "TermEnergy", "Timings"):
             self.assertIsNotNone(getattr(cv2.gcpw, name)(), name)
         self.assertEqual(cv2.gcpw.Alignment().imageCount(), 0)
 
@@ -124,6 +149,21 @@ class Rigs(unittest.TestCase):
         numpy.testing.assert_allclose(first, second, atol=0.5)
         _, picture = warper.warp(self.images[1], K, self.cameras[1].R, cv2.INTER_LINEAR, cv2.BORDER_REFLECT)
         self.assertEqual(picture.shape[:2], warper.warpRoi((320, 240), K, self.cameras[1].R)[:1:-1])
+
+    def test_the_compensator_of_a_warper_has_the_colours_of_the_rig(self):
+        rig = cv2.gcpw.alignRig(self.images, self.cameras, "affine")
+        self.assertEqual(rig.projection, "affine")
+        gains = cv2.gcpw.PyGcpwWarper("affine", 1, rig).compensator().getMatGains()
+        self.assertEqual(len(gains), 2)
+        numpy.testing.assert_array_equal(gains[0], rig.alignment.image(0).color)
+
+    def test_cameras_are_found_and_aligned(self):
+        estimate = cv2.gcpw.estimateCameras(self.images)
+        self.assertTrue(estimate.ok(), estimate.decisions)
+        self.assertEqual(len(estimate.cameras), 2)
+        rig = cv2.gcpw.alignEstimate(estimate)
+        self.assertTrue(rig.usable(), rig.alignment.report().message)
+        self.assertEqual(rig.projection, estimate.projection)
 
     def test_without_a_rig_the_warper_is_opencvs(self):
         K = numpy.float32([[300, 0, 160], [0, 300, 120], [0, 0, 1]])

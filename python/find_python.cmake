@@ -1,0 +1,25 @@
+# GCPW_PYTHON: the Python that the package is for, the first that has NumPy and Python.h. That of a shell's own environment
+# often has neither, and the system's has both.
+# GCPW_PYTHON_READY: whether there is one, and pybind11 for it.
+set(GCPW_PYTHON "" CACHE STRING "Python that the package is for (default: the first with NumPy and Python.h)")
+set(probe "import numpy, os, sysconfig; raise SystemExit(not os.path.exists(sysconfig.get_path('include') + '/Python.h'))")
+set(GCPW_PYTHON_READY OFF)
+foreach(candidate IN ITEMS "${GCPW_PYTHON}" python3 /usr/bin/python3 python)
+    if(candidate AND NOT GCPW_PYTHON_READY)
+        execute_process(COMMAND "${candidate}" -c "${probe}" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+        if(failed EQUAL 0)
+            execute_process(COMMAND "${candidate}" -c "import sys; print(sys.executable, end='')" OUTPUT_VARIABLE found)
+            set(GCPW_PYTHON "${found}" CACHE STRING "" FORCE)
+            set(GCPW_PYTHON_READY ON)
+        endif()
+    endif()
+endforeach()
+if(GCPW_PYTHON_READY)
+    execute_process(COMMAND "${GCPW_PYTHON}" -c "import pybind11; print(pybind11.get_include(), end='')"
+        OUTPUT_VARIABLE pybind11_hint ERROR_QUIET)
+    find_path(GCPW_PYBIND11_INCLUDE pybind11/pybind11.h HINTS "${pybind11_hint}" DOC "Headers of pybind11 2.9 or newer")
+    mark_as_advanced(GCPW_PYBIND11_INCLUDE)
+endif()
+if(NOT GCPW_PYBIND11_INCLUDE)
+    set(GCPW_PYTHON_READY OFF)
+endif()
