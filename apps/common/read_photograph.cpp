@@ -3,12 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "common/read_photograph.hpp"
 
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/core/check.hpp>
-#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <unistd.h>
 #include "common/exit_code.hpp"
 #include "common/heif.hpp"
 #include "common/jpeg_end.hpp"
@@ -19,17 +20,30 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Says nothing while it lives: what OpenCV's decoders log about broken files is told in words of our own.
-class SilentLog
+/// Keeps standard error silent while it lives: decoders print what they think of broken files there, and it is told in words of our own.
+class SilentErrors
 {
 public:
-    SilentLog() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
-    ~SilentLog() { cv::utils::logging::setLogLevel(before_); }
-    SilentLog(const SilentLog&) = delete;
-    SilentLog& operator=(const SilentLog&) = delete;
+    SilentErrors() : before_(dup(STDERR_FILENO))
+    {
+        const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (before_ >= 0 && nothing >= 0)
+            dup2(nothing, STDERR_FILENO);
+        if (nothing >= 0)
+            close(nothing);
+    }
+    ~SilentErrors()
+    {
+        if (before_ < 0)
+            return;
+        dup2(before_, STDERR_FILENO);
+        close(before_);
+    }
+    SilentErrors(const SilentErrors&) = delete;
+    SilentErrors& operator=(const SilentErrors&) = delete;
 
 private:
-    cv::utils::logging::LogLevel before_;
+    int before_;
 };
 
 /// Throws FileTrouble unless there is a file that can be read.
@@ -52,7 +66,7 @@ void checkReadable(const std::string& path)
 
 cv::Mat decode(const std::string& path)
 {
-    const SilentLog silent;
+    const SilentErrors silent;
     try
     {
         // Only this mode keeps alpha and all bits. It leaves the picture as it is stored, but for TIFF.

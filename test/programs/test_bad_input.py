@@ -130,7 +130,7 @@ def refuses(bench):
     before = contents(bench)
     for program, arguments, code, words in CASES:
         defaults = () if any(str(one).startswith(("--output", "--synthetic")) for one in arguments) else ("--output=no.png",)
-        said = bench.run(program, *arguments, *QUICK[program], *defaults, expect=code)
+        said = bench.run(program, *QUICK[program], *arguments, *defaults, expect=code)
         call = f"{program} {arguments}"
         for word in words:
             bench.check(word in said, f"{call}: does not say '{word}': {said}")
@@ -140,7 +140,8 @@ def refuses(bench):
         after = contents(bench)
         bench.check(after.keys() == before.keys(), f"{call}: leaves {sorted(map(str, after.keys() ^ before.keys()))}")
         bench.check(after == before, f"{call}: changes a file")
-        before = after
+        for path in after.keys() - before.keys():
+            path.unlink()
 
 
 def no_room(bench):
