@@ -66,7 +66,8 @@ Rig modelFor(const std::vector<Photograph>& photographs, const std::string& path
         throw WrongUse("the model " + path + " is of the projection " + rig.projection + "; leave out --warp=" + warp);
     if (rig.projection.empty())
         rig.projection = warp.empty() ? "spherical" : warp;
-    if (rig.image_sizes.size() == rig.component.size())
+    const bool has_sizes = rig.image_sizes.size() == rig.component.size() && !rig.image_sizes[0].empty();
+    if (has_sizes)
     {
         // The first photograph gives one scale for all, as where the model was made.
         const int width = photographs[static_cast<size_t>(rig.component[0])].image.cols;

@@ -74,7 +74,7 @@ def reuses_a_model(bench, photos):
 def refuses_a_model_of_others(bench, photos):
     """Cameras of other photographs would give a displaced picture without a word."""
     model = bench.path("again.json").read_text(encoding="utf-8")
-    bench.check('"projection"' in model and '"image_sizes"' in model and '"component"' in model, "the model lacks warper, sizes or order")
+    bench.check(all(f'"{key}"' in model for key in ("projection", "image_size", "component")), "the model lacks warper, sizes or order")
     call = (*photos, "gray.pgm", *QUICK, "--output=no.png")
     bench.flat_image("small.pgm", 400, 400)
     bench.refused("gcpw_stitch", photos[0], "small.pgm", *QUICK, "--output=no.png", "--load_model=again.json", says="another size")

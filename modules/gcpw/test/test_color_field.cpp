@@ -188,6 +188,27 @@ TEST(Gcpw_ColorField, a_picture_has_the_colours_of_the_definition)
     }
 }
 
+TEST(Gcpw_ColorField, a_picture_of_16_bits_has_the_colours_of_one_of_8_between_its_steps)
+{
+    const Mat grid = linearGrid();
+    Mat bytes(30, 40, CV_8UC3);
+    RNG(7).fill(bytes, RNG::UNIFORM, 60, 150); // away from both ends, where each is clipped
+    Mat deep;
+    bytes.convertTo(deep, CV_16U, 257);
+    deep += Scalar::all(100);
+    const GridPosition position = [](Point p) { return Point2f(p.x * 0.1F, p.y * 0.1F); };
+    ColorField(grid).apply(bytes, Mat(), position);
+    ColorField(grid).apply(deep, Mat(), position);
+    Mat difference;
+    Mat expected;
+    bytes.convertTo(expected, CV_32F, 257);
+    deep.convertTo(difference, CV_32F);
+    difference -= expected;
+    // A step of 8 bits is 257; the 100 on top are gained by 1 to 1.5 of each channel of YCrCb.
+    EXPECT_GT(cv::mean(difference)[0], 80);
+    EXPECT_LT(cv::norm(difference, NORM_INF), 129 + 250);
+}
+
 TEST(Gcpw_ColorField, a_gray_picture_has_the_lightness_of_the_gray_colour)
 {
     Mat gray;
