@@ -67,6 +67,6 @@ void writePicture(const std::string& path, const cv::Mat& picture, const Picture
                           cv::format(": a picture of %d x %d px cannot be made a file of kind %s; try .png or .tif", pixels.cols, pixels.rows,
                                      ending.c_str()) +
                           reason);
-    data = metadata.addTo(data);
+    data = metadata.addTo(data, pixels.size());
     writeBytes(path, data.data(), data.size());
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <exiv2/exiv2.hpp>
+#include "common/embed.hpp"
 
 namespace
 {
@@ -36,6 +37,26 @@ bool isCopied(const Exiv2::Exifdatum& tag)
         if (tag.key() == key)
             return true;
     return tag.groupName() == PLACE;
+}
+
+std::vector<uchar> embedByExiv2(const std::vector<uchar>& encoded, const Exiv2::ExifData& tags, const std::vector<uchar>& profile)
+{
+    const auto image = Exiv2::ImageFactory::open(encoded.data(), static_cast<long>(encoded.size()));
+    image->readMetadata();
+    for (const Exiv2::Exifdatum& tag : tags) // what the encoder wrote itself stays, in TIFF the picture depends on it
+        image->exifData()[tag.key()] = tag.value();
+    if (!profile.empty())
+    {
+        Exiv2::DataBuf copy(profile.data(), static_cast<long>(profile.size()));
+        image->setIccProfile(copy);
+    }
+    image->writeMetadata();
+    Exiv2::BasicIo& io = image->io();
+    if (io.open() != 0)
+        return encoded;
+    std::vector<uchar> file(static_cast<size_t>(io.size()));
+    const bool whole = io.read(file.data(), static_cast<long>(file.size())) == static_cast<long>(file.size());
+    return whole ? file : encoded;
 }
 
 } // namespace
@@ -95,7 +116,7 @@ double Metadata::focalLength(cv::Size size) const
     return focal_mm / unit_mm * per_unit * longer / stored_width;
 }
 
-std::vector<uchar> Metadata::addTo(const std::vector<uchar>& encoded) const
+std::vector<uchar> Metadata::addTo(const std::vector<uchar>& encoded, cv::Size size) const
 {
     Exiv2::ExifData tags;
     if (tags_)
@@ -106,22 +127,14 @@ std::vector<uchar> Metadata::addTo(const std::vector<uchar>& encoded) const
         return encoded;
     try
     {
-        const auto image = Exiv2::ImageFactory::open(encoded.data(), static_cast<long>(encoded.size()));
-        image->readMetadata();
-        for (const Exiv2::Exifdatum& tag : tags) // what the encoder wrote itself stays, in TIFF the picture depends on it
-            image->exifData()[tag.key()] = tag.value();
-        if (!profile_.empty())
+        if (isPng(encoded) || isWebp(encoded))
         {
-            Exiv2::DataBuf profile(profile_.data(), static_cast<long>(profile_.size()));
-            image->setIccProfile(profile);
+            Exiv2::Blob exif;
+            if (!tags.empty())
+                Exiv2::ExifParser::encode(exif, Exiv2::littleEndian, tags);
+            return isPng(encoded) ? embedInPng(encoded, exif, profile_) : embedInWebp(encoded, exif, profile_, size);
         }
-        image->writeMetadata();
-        Exiv2::BasicIo& io = image->io();
-        if (io.open() != 0)
-            return encoded;
-        std::vector<uchar> file(static_cast<size_t>(io.size()));
-        const bool whole = io.read(file.data(), static_cast<long>(file.size())) == static_cast<long>(file.size());
-        return whole ? file : encoded;
+        return embedByExiv2(encoded, tags, profile_);
     }
     catch (const std::exception&) // a format that takes none
     {

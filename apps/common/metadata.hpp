@@ -34,9 +34,9 @@ public:
 
     /** @brief Adds the profile and what is known of the taking (camera, lens, exposure, time, place, author; not the orientation, as
     pictures are written upright) to a picture.
-    @param encoded a whole file as cv::imencode() makes it
+    @param encoded a whole file as cv::imencode() makes it  @param size of the picture in it
     @return the file with them; as it is where its format takes none, such as .bmp */
-    std::vector<uchar> addTo(const std::vector<uchar>& encoded) const;
+    std::vector<uchar> addTo(const std::vector<uchar>& encoded, cv::Size size) const;
 
 private:
     struct Tags;

@@ -106,6 +106,13 @@ TEST(ReadPhotograph, sixteen_bits_and_the_profile_go_in_and_out)
             EXPECT_EQ(again.metadata.profile(), photograph.metadata.profile()) << name;
             EXPECT_EQ(again.metadata.orientation(), 1) << name; // it is upright: what turned it is not copied
         }
+        for (const char* name : {"out.jpg", "out.webp"})
+        {
+            writePicture(folder.path(name), photograph.image, PictureFormat(), photograph.metadata);
+            const Photograph again = readPhotograph(folder.path(name));
+            EXPECT_EQ(again.image.type(), CV_8UC3) << name;
+            EXPECT_EQ(again.metadata.profile(), photograph.metadata.profile()) << name;
+        }
     }
 }
 
