@@ -24,10 +24,12 @@ namespace
 
 const CommandLine::Texts TEXTS = {
     "gcpw_evaluate",
-    "Compares the methods on pairs of photographs, as they are and with synthetic colour variation, and panoramas with OpenCV's.\n"
+    "Compares the methods on pairs of photographs, as they are and with synthetic colour variation, and panoramas with "
+    "OpenCV's.\n"
     "Exit code: 0 all runs done, 1 some runs had no result, 2 wrong use, 3 could not read or write a file.",
     "gcpw_evaluate --pairs=FOLDER [options]",
-    {"gcpw_evaluate --pairs=PAIRS --out=OUT --inputs=1 --degrees=0", "a quick look", "gcpw_evaluate --sets=SETS --out=OUT", "panoramas"}};
+    {"gcpw_evaluate --pairs=PAIRS --out=OUT --inputs=1 --degrees=0", "a quick look",
+     "gcpw_evaluate --sets=SETS --out=OUT", "panoramas"}};
 
 /// Everything one run is asked to do.
 struct Job
@@ -62,23 +64,27 @@ struct Options
 void declare(CommandLine& line, Options& options)
 {
     line.group("Photographs");
-    line.text("--pairs", options.pairs, "FOLDER", "with a folder a pair, each with photographs 01.* (source) and 02.* (target)");
+    line.text("--pairs", options.pairs, "FOLDER",
+              "with a folder a pair, each with photographs 01.* (source) and 02.* (target)");
     line.text("--sets", options.sets, "FOLDER", "with a folder a panorama: stitched by OpenCV alone and with GCPW");
     line.number("--max_megapix", options.max_megapix, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"},
                 "photographs are scaled down to this, million pixels");
     line.group("Experiment");
-    line.text("--methods", options.methods, "NAMES", "comma-separated: global, apap, cpw, dfw, mfw, lsh_mfw, ros_mfw, gcpw");
+    line.text("--methods", options.methods, "NAMES",
+              "comma-separated: global, apap, cpw, dfw, mfw, lsh_mfw, ros_mfw, gcpw");
     line.text("--degrees", options.degrees, "NUMBERS", "of synthetic colour variation: 0..16, or 0,4,8");
     line.integer("--inputs", options.inputs, {1, evaluation::INPUTS},
                  "score each pair as the median over the first 1..5 inputs, a pixel apart; 1 for a quick look");
-    line.integer("--workers", options.workers, {0, 256}, "inputs at a time, one thread each; 0 takes one for each core");
+    line.integer("--workers", options.workers, {0, 256},
+                 "inputs at a time, one thread each; 0 takes one for each core");
     line.flag("--paper", options.paper, "the paper's constants instead of the defaults");
     line.text("--set", options.settings, "NAME=VALUE,..", "further parameters; see gcpw::Params");
     line.group("Outputs");
     line.text("-o,--out", options.out, "FOLDER", "for tables and sheets; finished rows in it are kept");
     line.flag("--fresh", options.fresh, "forget the results in --out");
     line.flag("--no_sheets", options.no_sheets, "no contact sheets");
-    line.text("--write_inputs", options.write_inputs, "FOLDER", "write the inputs of all pairs to it, PAIR/1/01.png and so on, and stop");
+    line.text("--write_inputs", options.write_inputs, "FOLDER",
+              "write the inputs of all pairs to it, PAIR/1/01.png and so on, and stop");
 }
 
 std::vector<std::string> split(const std::string& text)
@@ -150,7 +156,8 @@ Job jobOf(const Options& options)
     experiment.degrees = degreesOf(options.degrees);
     experiment.inputs = options.inputs;
     experiment.max_megapix = options.max_megapix;
-    experiment.workers = options.workers > 0 ? options.workers : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    experiment.workers =
+        options.workers > 0 ? options.workers : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     job.write_inputs = options.write_inputs;
     job.fresh = options.fresh;
     job.sheets = !options.no_sheets;
@@ -277,8 +284,9 @@ int main(int argc, char** argv)
     CommandLine line(TEXTS);
     Options options;
     declare(line, options);
-    return runProgram(line, argc, argv, [&](const Console&)
-    {
+    return runProgram(line, argc, argv,
+                      [&](const Console&)
+                      {
         try
         {
             const Job job = jobOf(options);

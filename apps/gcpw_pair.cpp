@@ -9,5 +9,6 @@
 int main(int argc, char** argv)
 {
     PairOptions options;
-    return runProgram(options.line(), argc, argv, [&options](Console& console) { return runPair(options.job(console), console); });
+    return runProgram(options.line(), argc, argv,
+                      [&options](Console& console) { return runPair(options.job(console), console); });
 }

@@ -4,9 +4,9 @@
 #include "common/command_line.hpp"
 
 #include <algorithm>
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <CLI/CLI.hpp>
 #include <opencv2/core.hpp>
 #include "common/exit_code.hpp"
 #include "common/option_help.hpp"
@@ -44,8 +44,8 @@ std::string plain(double value)
 
 } // namespace
 
-void CommandLine::add(const std::string& names, const std::string& kind, const std::string& preset, const std::string& help,
-                      const std::function<void(const std::string&)>& set)
+void CommandLine::add(const std::string& names, const std::string& kind, const std::string& preset,
+                      const std::string& help, const std::function<void(const std::string&)>& set)
 {
     options_.push_back({group_, names, longName(names), kind, preset, help, set});
 }
@@ -55,7 +55,8 @@ void CommandLine::text(const std::string& names, std::string& value, const std::
     add(names, kind, value, help, [&value](const std::string& written) { value = written; });
 }
 
-void CommandLine::texts(const std::string& names, std::vector<std::string>& values, const std::string& kind, const std::string& help)
+void CommandLine::texts(const std::string& names, std::vector<std::string>& values, const std::string& kind,
+                        const std::string& help)
 {
     add(names, kind, "", help, [&values](const std::string& written) { values.push_back(written); });
     options_.back().many = true;
@@ -77,10 +78,12 @@ void CommandLine::integer(const std::string& names, int& value, const Range& ran
 {
     const std::string name = longName(names);
     add(names, "NUMBER", std::to_string(value), help,
-        [&value, name, range](const std::string& written) { value = static_cast<int>(numberOf(name, written, range, true)); });
+        [&value, name, range](const std::string& written)
+        { value = static_cast<int>(numberOf(name, written, range, true)); });
 }
 
-void CommandLine::choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help)
+void CommandLine::choice(const std::string& names, std::string& value, const std::vector<std::string>& choices,
+                         const std::string& help)
 {
     const std::string name = longName(names);
     add(names, "NAME", value, help,
@@ -89,8 +92,8 @@ void CommandLine::choice(const std::string& names, std::string& value, const std
         if (std::find(choices.begin(), choices.end(), written) == choices.end())
         {
             const std::string near = nearestWord(written, choices);
-            throw WrongUse("there is no " + name + " '" + written + "'" + (near.empty() ? "" : "; did you mean " + near + "?") +
-                           " Choose " + listed(choices));
+            throw WrongUse("there is no " + name + " '" + written + "'" +
+                           (near.empty() ? "" : "; did you mean " + near + "?") + " Choose " + listed(choices));
         }
         value = written;
     });
@@ -124,7 +127,8 @@ std::vector<std::string> CommandLine::tidied(int argc, const char* const* argv) 
         std::string word = argv[i];
         const std::string name = word.substr(0, word.find('='));
         // As cv::CommandLineParser took it; a letter that takes the rest for its value would make a file of that name.
-        if (name.size() > 2 && name[0] == '-' && name[1] != '-' && std::find(known.begin(), known.end(), "-" + name) != known.end())
+        if (name.size() > 2 && name[0] == '-' && name[1] != '-' &&
+            std::find(known.begin(), known.end(), "-" + name) != known.end())
             word = "-" + word;
         if (word == "-?" || word == "--usage")
             word = "--help";
@@ -150,10 +154,11 @@ CommandLine::Asked CommandLine::parse(int argc, const char* const* argv)
     {
         const std::string name = option.name;
         if (option.kind.empty())
-            app.add_flag_function(option.names, [&values, name](std::int64_t count) { values[name] = {count > 0 ? "true" : "false"}; });
+            app.add_flag_function(option.names, [&values, name](std::int64_t count)
+                                  { values[name] = {count > 0 ? "true" : "false"}; });
         else
-            app.add_option_function<std::vector<std::string>>(option.names, [&values, name](const std::vector<std::string>& given)
-                                                              { values[name] = given; })
+            app.add_option_function<std::vector<std::string>>(
+                   option.names, [&values, name](const std::vector<std::string>& given) { values[name] = given; })
                 ->expected(1)
                 ->allow_extra_args(false)
                 ->multi_option_policy(option.many ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::TakeLast);
@@ -171,7 +176,8 @@ CommandLine::Asked CommandLine::parse(int argc, const char* const* argv)
     for (const std::string& word : app.remaining())
     {
         const std::string near = nearestWord(word.substr(0, word.find('=')), knownNames());
-        throw WrongUse("there is no option " + word + (near.empty() ? "" : "; did you mean " + near + "?") + " --help lists them");
+        throw WrongUse("there is no option " + word + (near.empty() ? "" : "; did you mean " + near + "?") +
+                       " --help lists them");
     }
     if (!values["--help"].empty())
         return Asked::HELP;

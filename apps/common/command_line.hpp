@@ -50,11 +50,13 @@ public:
 
     /// @param names "-o,--output": a letter, if any, then the name  @param kind what the value is: "FILE"
     void text(const std::string& names, std::string& value, const std::string& kind, const std::string& help);
-    void texts(const std::string& names, std::vector<std::string>& values, const std::string& kind, const std::string& help);
+    void texts(const std::string& names, std::vector<std::string>& values, const std::string& kind,
+               const std::string& help);
     void flag(const std::string& names, bool& value, const std::string& help);
     void number(const std::string& names, double& value, const Range& range, const std::string& help);
     void integer(const std::string& names, int& value, const Range& range, const std::string& help);
-    void choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help);
+    void choice(const std::string& names, std::string& value, const std::vector<std::string>& choices,
+                const std::string& help);
 
     /// Arguments that are no options.
     void arguments(std::vector<std::string>& values) { arguments_ = &values; }
@@ -79,8 +81,8 @@ private:
     {
         std::string group;
         std::string names;
-        std::string name; ///< the long one: "--output"
-        std::string kind; ///< empty for a flag
+        std::string name;   ///< the long one: "--output"
+        std::string kind;   ///< empty for a flag
         std::string preset; ///< the default as text, may be empty
         std::string help;
         std::function<void(const std::string&)> set;

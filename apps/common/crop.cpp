@@ -16,7 +16,7 @@ cv::Rect largestRectangle(const cv::Mat& shown)
     };
     cv::Rect best;
     std::vector<int> heights(static_cast<size_t>(shown.cols) + 1, 0); // the last one stays 0 and closes all bars
-    std::vector<Bar> open; // of rising height
+    std::vector<Bar> open;                                            // of rising height
     for (int y = 0; y < shown.rows; ++y)
     {
         const uchar* const row = shown.ptr<uchar>(y);

@@ -6,7 +6,8 @@
 #include <opencv2/gcpw/compensator.hpp>
 #include <opencv2/imgproc.hpp>
 
-void correctExposure(cv::detail::ExposureCompensator& compensator, int index, cv::Point corner, cv::Mat& image, const cv::Mat& mask)
+void correctExposure(cv::detail::ExposureCompensator& compensator, int index, cv::Point corner, cv::Mat& image,
+                     const cv::Mat& mask)
 {
     if (image.depth() == CV_8U || dynamic_cast<cv::gcpw::GcpwCompensator*>(&compensator))
     {

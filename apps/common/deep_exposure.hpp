@@ -8,6 +8,7 @@
 
 /** @brief cv::detail::ExposureCompensator::apply() for 16 bits as well, which most of OpenCV's do not take.
 @param index, corner, mask as there  @param image CV_8UC3 or CV_16UC3, corrected in place */
-void correctExposure(cv::detail::ExposureCompensator& compensator, int index, cv::Point corner, cv::Mat& image, const cv::Mat& mask);
+void correctExposure(cv::detail::ExposureCompensator& compensator, int index, cv::Point corner, cv::Mat& image,
+                     const cv::Mat& mask);
 
 #endif

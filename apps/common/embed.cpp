@@ -64,7 +64,8 @@ Bytes stored(const Bytes& content)
         bytes.push_back(at + size == content.size() ? 1 : 0); // the last block
         addLittle(bytes, size, 2);
         addLittle(bytes, ~size, 2);
-        bytes.insert(bytes.end(), content.begin() + static_cast<long>(at), content.begin() + static_cast<long>(at + size));
+        bytes.insert(bytes.end(), content.begin() + static_cast<long>(at),
+                     content.begin() + static_cast<long>(at + size));
     }
     const unsigned base = 65521;
     unsigned sum = 1;
@@ -97,7 +98,8 @@ bool isPng(const Bytes& file)
 
 bool isWebp(const Bytes& file)
 {
-    return file.size() > RIFF_HEAD && std::memcmp(file.data(), "RIFF", 4) == 0 && std::memcmp(file.data() + 8, "WEBP", 4) == 0;
+    return file.size() > RIFF_HEAD && std::memcmp(file.data(), "RIFF", 4) == 0 &&
+           std::memcmp(file.data() + 8, "WEBP", 4) == 0;
 }
 
 Bytes embedInPng(const Bytes& file, const Bytes& exif, const Bytes& profile)

@@ -28,9 +28,12 @@ std::string formatOf(const std::string& path)
 
 std::vector<int> settingsOf(const PictureFormat& format)
 {
-    const int compression = format.compression == "none" ? TIFF_NONE : format.compression == "lzw" ? TIFF_LZW : TIFF_DEFLATE;
+    const int compression = format.compression == "none"  ? TIFF_NONE
+                            : format.compression == "lzw" ? TIFF_LZW
+                                                          : TIFF_DEFLATE;
     // Each encoder takes its own and passes over the others.
-    return {cv::IMWRITE_JPEG_QUALITY, format.quality, cv::IMWRITE_WEBP_QUALITY, format.quality, cv::IMWRITE_TIFF_COMPRESSION, compression};
+    return {cv::IMWRITE_JPEG_QUALITY,     format.quality, cv::IMWRITE_WEBP_QUALITY, format.quality,
+            cv::IMWRITE_TIFF_COMPRESSION, compression};
 }
 
 } // namespace
@@ -47,7 +50,8 @@ bool keepsDeepPixels(const std::string& path)
     return format == ".png" || format == ".tif" || format == ".tiff";
 }
 
-void writePicture(const std::string& path, const cv::Mat& picture, const PictureFormat& format, const Metadata& metadata)
+void writePicture(const std::string& path, const cv::Mat& picture, const PictureFormat& format,
+                  const Metadata& metadata)
 {
     const std::string ending = formatOf(path);
     std::vector<uchar> data;
@@ -64,8 +68,8 @@ void writePicture(const std::string& path, const cv::Mat& picture, const Picture
     }
     if (!encoded || data.empty())
         throw FileTrouble("cannot write " + shortened(path) +
-                          cv::format(": a picture of %d x %d px cannot be made a file of kind %s; try .png or .tif", pixels.cols, pixels.rows,
-                                     ending.c_str()) +
+                          cv::format(": a picture of %d x %d px cannot be made a file of kind %s; try .png or .tif",
+                                     pixels.cols, pixels.rows, ending.c_str()) +
                           reason);
     data = metadata.addTo(data, pixels.size());
     writeBytes(path, data.data(), data.size());

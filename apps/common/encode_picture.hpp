@@ -4,9 +4,9 @@
 #ifndef GCPW_APPS_ENCODE_PICTURE_HPP
 #define GCPW_APPS_ENCODE_PICTURE_HPP
 
-#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/core.hpp>
 #include "common/metadata.hpp"
 
 class CommandLine;
@@ -14,7 +14,7 @@ class CommandLine;
 /// How pictures are written.
 struct PictureFormat
 {
-    int quality = 95;               ///< of JPEG and WebP, 1 to 100
+    int quality = 95;                ///< of JPEG and WebP, 1 to 100
     std::string compression = "lzw"; ///< of TIFF: none, lzw, deflate
 };
 
@@ -26,7 +26,8 @@ void declareFormat(CommandLine& line, PictureFormat& format);
 To PNG and TIFF with the bits that it has; all others take 8. To a name without an ending, such as a pipe's, as PNG.
 @param picture 8 or 16 bits, BGR
 @throws FileTrouble */
-void writePicture(const std::string& path, const cv::Mat& picture, const PictureFormat& format, const Metadata& metadata);
+void writePicture(const std::string& path, const cv::Mat& picture, const PictureFormat& format,
+                  const Metadata& metadata);
 
 /// Whether a picture of this name keeps 16 bits.
 bool keepsDeepPixels(const std::string& path);

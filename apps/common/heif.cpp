@@ -38,7 +38,8 @@ cv::Mat readHeif(const std::string& path)
     check(heif_context_read_from_file(context.get(), path.c_str(), nullptr));
     heif_image_handle* raw_handle = nullptr;
     check(heif_context_get_primary_image_handle(context.get(), &raw_handle));
-    const std::unique_ptr<const heif_image_handle, void (*)(const heif_image_handle*)> handle(raw_handle, heif_image_handle_release);
+    const std::unique_ptr<const heif_image_handle, void (*)(const heif_image_handle*)> handle(
+        raw_handle, heif_image_handle_release);
     const bool alpha = heif_image_handle_has_alpha_channel(handle.get()) != 0;
     heif_image* raw_image = nullptr;
     check(heif_decode_image(handle.get(), &raw_image, heif_colorspace_RGB,
@@ -48,7 +49,8 @@ cv::Mat readHeif(const std::string& path)
     const uint8_t* const pixels = heif_image_get_plane_readonly(image.get(), heif_channel_interleaved, &stride);
     if (!pixels)
         throw FileTrouble("cannot read " + path + ": it has no picture");
-    const cv::Size size(heif_image_get_width(image.get(), heif_channel_interleaved), heif_image_get_height(image.get(), heif_channel_interleaved));
+    const cv::Size size(heif_image_get_width(image.get(), heif_channel_interleaved),
+                        heif_image_get_height(image.get(), heif_channel_interleaved));
     const cv::Mat rgb(size, alpha ? CV_8UC4 : CV_8UC3, const_cast<uint8_t*>(pixels), static_cast<size_t>(stride));
     cv::Mat bgr;
     cv::cvtColor(rgb, bgr, alpha ? cv::COLOR_RGBA2BGRA : cv::COLOR_RGB2BGR);
@@ -59,7 +61,8 @@ cv::Mat readHeif(const std::string& path)
 
 cv::Mat readHeif(const std::string& path)
 {
-    throw FileTrouble("cannot read " + path + ": it is HEIF, and this program was built without libheif; save it as JPEG, PNG or TIFF");
+    throw FileTrouble("cannot read " + path +
+                      ": it is HEIF, and this program was built without libheif; save it as JPEG, PNG or TIFF");
 }
 
 #endif

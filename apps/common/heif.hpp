@@ -4,8 +4,8 @@
 #ifndef GCPW_APPS_HEIF_HPP
 #define GCPW_APPS_HEIF_HPP
 
-#include <opencv2/core.hpp>
 #include <string>
+#include <opencv2/core.hpp>
 
 /// Whether a file is HEIF (.heic, .heif, .avif), by its first bytes.
 bool isHeif(const std::string& path);

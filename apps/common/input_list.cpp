@@ -7,8 +7,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <glob.h>
 #include <set>
+#include <glob.h>
 #include "common/exit_code.hpp"
 #include "common/paths.hpp"
 
@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 namespace
 {
 
-const std::set<std::string> PICTURE_ENDINGS = {".jpg", ".jpeg", ".jpe", ".png", ".tif",  ".tiff", ".webp", ".bmp", ".dib", ".pgm",
-                                               ".ppm", ".pbm",  ".pnm", ".jp2", ".heic", ".heif", ".avif", ".sr",  ".ras"};
+const std::set<std::string> PICTURE_ENDINGS = {".jpg",  ".jpeg", ".jpe",  ".png", ".tif", ".tiff", ".webp",
+                                               ".bmp",  ".dib",  ".pgm",  ".ppm", ".pbm", ".pnm",  ".jp2",
+                                               ".heic", ".heif", ".avif", ".sr",  ".ras"};
 const int MOST_LISTS = 8; ///< lists inside lists: more lead in a circle
 
 bool isDigit(char letter)
@@ -90,7 +91,8 @@ std::vector<std::string> linesOf(const std::string& list)
         line = line.substr(begin, end - begin + 1);
         const bool is_list = line[0] == '@';
         const fs::path path = is_list ? line.substr(1) : line;
-        const std::string placed = path.is_absolute() ? path.string() : (folderOf(list) / path).lexically_normal().string();
+        const std::string placed =
+            path.is_absolute() ? path.string() : (folderOf(list) / path).lexically_normal().string();
         lines.push_back(is_list ? "@" + placed : placed);
     }
     if (lines.empty())

@@ -11,14 +11,32 @@ namespace
 {
 
 /// What is copied to a picture: how its photographs were taken, not how their pixels are stored.
-const char* const COPIED[] = {"Exif.Image.Make", "Exif.Image.Model", "Exif.Image.Artist", "Exif.Image.Copyright", "Exif.Image.DateTime",
-                              "Exif.Image.ImageDescription", "Exif.Image.XResolution", "Exif.Image.YResolution",
-                              "Exif.Image.ResolutionUnit", "Exif.Photo.ExposureTime", "Exif.Photo.FNumber",
-                              "Exif.Photo.ExposureProgram", "Exif.Photo.ISOSpeedRatings", "Exif.Photo.DateTimeOriginal",
-                              "Exif.Photo.DateTimeDigitized", "Exif.Photo.OffsetTimeOriginal", "Exif.Photo.ExposureBiasValue",
-                              "Exif.Photo.MeteringMode", "Exif.Photo.Flash", "Exif.Photo.FocalLength",
-                              "Exif.Photo.FocalLengthIn35mmFilm", "Exif.Photo.WhiteBalance", "Exif.Photo.LensMake",
-                              "Exif.Photo.LensModel", "Exif.Photo.LensSpecification", "Exif.Photo.ColorSpace"};
+const char* const COPIED[] = {"Exif.Image.Make",
+                              "Exif.Image.Model",
+                              "Exif.Image.Artist",
+                              "Exif.Image.Copyright",
+                              "Exif.Image.DateTime",
+                              "Exif.Image.ImageDescription",
+                              "Exif.Image.XResolution",
+                              "Exif.Image.YResolution",
+                              "Exif.Image.ResolutionUnit",
+                              "Exif.Photo.ExposureTime",
+                              "Exif.Photo.FNumber",
+                              "Exif.Photo.ExposureProgram",
+                              "Exif.Photo.ISOSpeedRatings",
+                              "Exif.Photo.DateTimeOriginal",
+                              "Exif.Photo.DateTimeDigitized",
+                              "Exif.Photo.OffsetTimeOriginal",
+                              "Exif.Photo.ExposureBiasValue",
+                              "Exif.Photo.MeteringMode",
+                              "Exif.Photo.Flash",
+                              "Exif.Photo.FocalLength",
+                              "Exif.Photo.FocalLengthIn35mmFilm",
+                              "Exif.Photo.WhiteBalance",
+                              "Exif.Photo.LensMake",
+                              "Exif.Photo.LensModel",
+                              "Exif.Photo.LensSpecification",
+                              "Exif.Photo.ColorSpace"};
 const char* const PLACE = "GPSInfo";
 const double FILM_DIAGONAL = 43.2666; ///< mm of 24 x 36 mm film, what FocalLengthIn35mmFilm compares with
 
@@ -39,7 +57,8 @@ bool isCopied(const Exiv2::Exifdatum& tag)
     return tag.groupName() == PLACE;
 }
 
-std::vector<uchar> embedByExiv2(const std::vector<uchar>& encoded, const Exiv2::ExifData& tags, const std::vector<uchar>& profile)
+std::vector<uchar> embedByExiv2(const std::vector<uchar>& encoded, const Exiv2::ExifData& tags,
+                                const std::vector<uchar>& profile)
 {
     const auto image = Exiv2::ImageFactory::open(encoded.data(), static_cast<long>(encoded.size()));
     image->readMetadata();

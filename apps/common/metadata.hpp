@@ -5,9 +5,9 @@
 #define GCPW_APPS_METADATA_HPP
 
 #include <memory>
-#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/core.hpp>
 
 /** @brief What a file says about its photograph besides the pixels: orientation, focal length, colour profile, when and how it was
 taken. Read by Exiv2 from JPEG, PNG, TIFF, WebP and HEIC. */

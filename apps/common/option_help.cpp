@@ -13,7 +13,8 @@ const size_t WIDTH = 100; ///< of a line
 
 } // namespace
 
-std::string optionHelp(const std::string& names, const std::string& kind, const std::string& preset, const std::string& help)
+std::string optionHelp(const std::string& names, const std::string& kind, const std::string& preset,
+                       const std::string& help)
 {
     const bool has_letter = names[1] != '-';
     std::string line = has_letter ? "  " + names.substr(0, 2) + ", " + names.substr(3) : "      " + names;

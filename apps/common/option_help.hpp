@@ -8,6 +8,7 @@
 
 /** @brief The lines of one option in a program's help: its names in one column, what it does in another.
 @param names "-o,--output"  @param kind what the value is, empty for a flag  @param preset the default, may be empty */
-std::string optionHelp(const std::string& names, const std::string& kind, const std::string& preset, const std::string& help);
+std::string optionHelp(const std::string& names, const std::string& kind, const std::string& preset,
+                       const std::string& help);
 
 #endif

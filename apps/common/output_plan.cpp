@@ -20,9 +20,11 @@ void checkWritable(const std::string& path, const fs::path& folder)
     std::error_code error;
     const fs::file_status status = fs::status(folder, error);
     if (!fs::exists(status))
-        throw FileTrouble("cannot write " + shortened(path) + ": there is no folder " + shortened(folder.string()) + "; make it first");
+        throw FileTrouble("cannot write " + shortened(path) + ": there is no folder " + shortened(folder.string()) +
+                          "; make it first");
     if (!fs::is_directory(status))
-        throw FileTrouble("cannot write " + shortened(path) + ": " + shortened(folder.string()) + " is no folder; choose another place");
+        throw FileTrouble("cannot write " + shortened(path) + ": " + shortened(folder.string()) +
+                          " is no folder; choose another place");
     if (access(folder.c_str(), W_OK | X_OK) != 0)
         throw FileTrouble("cannot write " + shortened(path) + ": the folder " + shortened(folder.string()) +
                           " may not be written to; change its permissions or choose another place");
@@ -87,7 +89,8 @@ void OutputPlan::checkFile(const Output& output, bool force) const
         throw WrongUse(output.option + "=" + shortened(output.path) + " is a folder, and the name of a file is needed");
     checkWritable(output.path, folderOf(output.path));
     if (fs::exists(status) && !force)
-        throw WrongUse(shortened(output.path) + " exists: choose another name with " + output.option + ", or add --force to replace it");
+        throw WrongUse(shortened(output.path) + " exists: choose another name with " + output.option +
+                       ", or add --force to replace it");
 }
 
 void OutputPlan::check(bool force) const
@@ -97,8 +100,8 @@ void OutputPlan::check(bool force) const
         const Output& output = outputs_[i];
         for (size_t k = 0; k < i; ++k)
             if (isSameFile(output.path, outputs_[k].path) && !isDevice(output.path))
-                throw WrongUse(output.option + " and " + outputs_[k].option + " name one file, " + shortened(output.path) +
-                               ", which would be overwritten; give them different names");
+                throw WrongUse(output.option + " and " + outputs_[k].option + " name one file, " +
+                               shortened(output.path) + ", which would be overwritten; give them different names");
         if (output.kind == Kind::FOLDER)
             checkFolder(output, force);
         else

@@ -5,9 +5,9 @@
 
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
-#include <sstream>
 
 using cv::gcpw::Params;
 using cv::gcpw::Status;
@@ -107,7 +107,10 @@ int runProgram(CommandLine& line, int argc, const char* const* argv, const std::
     }
     catch (const cv::Exception& error)
     {
-        return fail(error.code == cv::Error::StsNoMem ? no_memory : error.err.empty() ? error.what() : error.err.c_str(), EXIT_NO_ANSWER);
+        return fail(error.code == cv::Error::StsNoMem ? no_memory
+                    : error.err.empty()               ? error.what()
+                                                      : error.err.c_str(),
+                    EXIT_NO_ANSWER);
     }
     catch (const std::bad_alloc&)
     {

@@ -5,9 +5,9 @@
 #define GCPW_APPS_PROGRAM_HPP
 
 #include <functional>
+#include <string>
 #include <opencv2/gcpw/alignment.hpp>
 #include <opencv2/gcpw/params.hpp>
-#include <string>
 #include "common/command_line.hpp"
 #include "common/console.hpp"
 #include "common/exit_code.hpp"

@@ -23,7 +23,8 @@ ProgressLine::ProgressLine(const std::vector<Stage>& stages, bool shown)
 
 void ProgressLine::begin(const std::string& stage)
 {
-    const auto found = std::find_if(stages_.begin(), stages_.end(), [&](const Stage& one) { return one.name == stage; });
+    const auto found =
+        std::find_if(stages_.begin(), stages_.end(), [&](const Stage& one) { return one.name == stage; });
     if (found == stages_.end())
         return;
     {
@@ -49,7 +50,8 @@ void ProgressLine::show(double fraction)
     }
     const double done = (before + fraction_ * stages_[present_].share) / whole;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    std::fprintf(stderr, "\r%-22s %3.0f %%  %-14s", stages_[present_].name.c_str(), 100 * done, timeLeft(done, seconds).c_str());
+    std::fprintf(stderr, "\r%-22s %3.0f %%  %-14s", stages_[present_].name.c_str(), 100 * done,
+                 timeLeft(done, seconds).c_str());
     std::fflush(stderr);
 }
 
@@ -61,7 +63,7 @@ cv::gcpw::Progress ProgressLine::callback()
     {
         show(fraction);
         return true;
-    };
+        };
 }
 
 void ProgressLine::erase()

@@ -6,9 +6,9 @@
 
 #include <chrono>
 #include <mutex>
-#include <opencv2/gcpw/alignment.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/gcpw/alignment.hpp>
 
 /** @brief One line on the terminal with the stage, the share of the whole work that is done, and the time left.
 

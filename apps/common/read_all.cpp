@@ -14,13 +14,15 @@ Photograph readOne(const std::string& path)
     Photograph photograph = readPhotograph(path);
     const cv::Size size = photograph.image.size();
     if (std::min(size.width, size.height) < MIN_SIDE)
-        throw FileTrouble(path + cv::format(" is %d x %d px; %d px a side are needed", size.width, size.height, MIN_SIDE));
+        throw FileTrouble(path +
+                          cv::format(" is %d x %d px; %d px a side are needed", size.width, size.height, MIN_SIDE));
     return photograph;
 }
 
 } // namespace
 
-std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip_bad, const Console& console, ProgressLine& progress)
+std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip_bad, const Console& console,
+                                ProgressLine& progress)
 {
     std::vector<Photograph> photographs;
     for (size_t i = 0; i < paths.size(); ++i)
@@ -35,7 +37,8 @@ std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip
         catch (const FileTrouble& trouble)
         {
             if (!skip_bad)
-                throw FileTrouble(std::string(trouble.what()) + (paths.size() > 2 ? " (--skip-bad leaves it out)" : ""));
+                throw FileTrouble(std::string(trouble.what()) +
+                                  (paths.size() > 2 ? " (--skip-bad leaves it out)" : ""));
             console.warn(std::string(trouble.what()) + "; it is left out");
         }
         progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
@@ -45,7 +48,8 @@ std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip
     return photographs;
 }
 
-Metadata sharedMetadata(const std::vector<Photograph>& photographs, const std::vector<int>& kept, const Console& console)
+Metadata sharedMetadata(const std::vector<Photograph>& photographs, const std::vector<int>& kept,
+                        const Console& console)
 {
     const Photograph& first = photographs[static_cast<size_t>(kept.at(0))];
     for (const int index : kept)

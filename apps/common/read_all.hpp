@@ -14,9 +14,11 @@ const int MIN_SIDE = 8; ///< px of a photograph: cv::SIFT fails on images of one
 
 /** @brief Reads photographs.
 @param skip_bad those that cannot be read are told and left out; else the first one ends in FileTrouble */
-std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip_bad, const Console& console, ProgressLine& progress);
+std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip_bad, const Console& console,
+                                ProgressLine& progress);
 
 /// What a picture of these photographs is to carry: the metadata of the first. Warns where colour profiles differ.
-Metadata sharedMetadata(const std::vector<Photograph>& photographs, const std::vector<int>& kept, const Console& console);
+Metadata sharedMetadata(const std::vector<Photograph>& photographs, const std::vector<int>& kept,
+                        const Console& console);
 
 #endif

@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "common/read_photograph.hpp"
 
-#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <fcntl.h>
 #include <opencv2/core/check.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -114,13 +114,16 @@ Photograph readPhotograph(const std::string& path)
     const bool heif = isHeif(path);
     cv::Mat stored = heif ? readHeif(path) : decode(path);
     if (stored.empty())
-        throw FileTrouble(shortened(path) + " is no picture that can be read: its format is unknown, or it is damaged or cut short; copy it "
-                                            "anew, or save it as JPEG, PNG or TIFF");
+        throw FileTrouble(
+            shortened(path) +
+            " is no picture that can be read: its format is unknown, or it is damaged or cut short; copy it "
+            "anew, or save it as JPEG, PNG or TIFF");
     if (stored.depth() != CV_8U && stored.depth() != CV_16U)
         throw FileTrouble(shortened(path) + " has pixels of kind " + cv::typeToString(stored.type()) +
                           "; save it with 8 or 16 bits a channel");
     if (lacksJpegEnd(path))
-        throw FileTrouble(shortened(path) + " is cut short: its end is missing, and with it a part of the picture; copy it anew");
+        throw FileTrouble(shortened(path) +
+                          " is cut short: its end is missing, and with it a part of the picture; copy it anew");
     photograph.metadata = Metadata::read(path);
     const bool is_upright = heif || isTurnedByOpenCv(path);
     photograph.image = inColor(is_upright ? stored : upright(stored, photograph.metadata.orientation()));

@@ -4,8 +4,8 @@
 #ifndef GCPW_APPS_READ_PHOTOGRAPH_HPP
 #define GCPW_APPS_READ_PHOTOGRAPH_HPP
 
-#include <opencv2/core.hpp>
 #include <string>
+#include <opencv2/core.hpp>
 #include "common/metadata.hpp"
 
 /// A photograph as its file has it, upright.

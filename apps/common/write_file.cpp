@@ -23,7 +23,8 @@ fs::path partialOf(const fs::path& path)
     const size_t most = 200; // of 255 letters that a name may have
     for (int i = 0;; ++i)
     {
-        const fs::path partial = path.parent_path() / (path.filename().string().substr(0, most) + ".partial" + std::to_string(i));
+        const fs::path partial =
+            path.parent_path() / (path.filename().string().substr(0, most) + ".partial" + std::to_string(i));
         std::error_code unknown;
         if (!fs::exists(fs::symlink_status(partial, unknown)))
             return partial;

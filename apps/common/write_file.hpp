@@ -5,9 +5,9 @@
 #define GCPW_APPS_WRITE_FILE_HPP
 
 #include <functional>
-#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/core.hpp>
 
 /** @brief Writes a file as a whole or not at all.
 

@@ -23,9 +23,10 @@ const CommandLine::Texts TEXTS = {
     "Exit code: 0 stitched, 1 no answer (they do not match), 2 wrong use, 3 could not read or write a file.",
     "gcpw_pair SOURCE TARGET [options]\n"
     "  SOURCE is warped, TARGET is what it is aligned to. Transparent pixels are not used.",
-    {"gcpw_pair left.jpg right.jpg --output pano.jpg", "both seen from between them", "gcpw_pair left.jpg right.jpg --view=target -o pano.tif",
-     "the target keeps its frame and pixels", "gcpw_pair left.jpg right.jpg --method global --report report.json",
-     "another method, and its scores", "gcpw_pair --synthetic photos", "two photographs of a painted scene, to try it"}};
+    {"gcpw_pair left.jpg right.jpg --output pano.jpg", "both seen from between them",
+     "gcpw_pair left.jpg right.jpg --view=target -o pano.tif", "the target keeps its frame and pixels",
+     "gcpw_pair left.jpg right.jpg --method global --report report.json", "another method, and its scores",
+     "gcpw_pair --synthetic photos", "two photographs of a painted scene, to try it"}};
 
 std::vector<std::string> methodNames()
 {
@@ -41,26 +42,34 @@ PairOptions::PairOptions() : line_(TEXTS), work_megapix_(Params().workMegapix)
 {
     line_.arguments(arguments_);
     line_.group("Alignment");
-    line_.choice("-m,--method", method_, methodNames(), "gcpw, its special cases global, cpw, dfw, mfw, or a rival: apap, lsh_mfw, ros_mfw");
-    line_.number("--work_megapix", work_megapix_, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"}, "resolution of the estimation, million pixels");
+    line_.choice("-m,--method", method_, methodNames(),
+                 "gcpw, its special cases global, cpw, dfw, mfw, or a rival: apap, lsh_mfw, ros_mfw");
+    line_.number("--work_megapix", work_megapix_, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"},
+                 "resolution of the estimation, million pixels");
     line_.flag("--paper", paper_, "the paper's constants instead of the defaults");
     line_.text("--set", settings_, "NAME=VALUE,..", "further parameters; see gcpw::Params");
     line_.group("Picture");
     line_.choice("--view", view_, {"natural", "target"},
-                 "natural: seen from between both, little stretched; target: the target keeps its frame and pixels. Default natural, with "
+                 "natural: seen from between both, little stretched; target: the target keeps its frame and pixels. "
+                 "Default natural, with "
                  "--paper target");
-    line_.choice("--blend", blend_, {"multiband", "average"}, "multiband: seam and multi-band blender; average: the paper's plain mean");
+    line_.choice("--blend", blend_, {"multiband", "average"},
+                 "multiband: seam and multi-band blender; average: the paper's plain mean");
     line_.choice("--crop", job_.crop, {"none", "auto"}, "auto: the largest rectangle without empty corners");
     line_.flag("-p,--preview", preview_, "a small picture in a short time");
-    line_.text("--render_source", job_.render_source, "FILE", "estimate on SOURCE but show this file, which must have its size");
+    line_.text("--render_source", job_.render_source, "FILE",
+               "estimate on SOURCE but show this file, which must have its size");
     line_.group("Outputs");
     line_.text("-o,--output", job_.output, "FILE",
-               "the panorama: .jpg, .png, .tif, .webp, ..; - is standard output, as PNG. Profile and EXIF of the target go with it");
+               "the panorama: .jpg, .png, .tif, .webp, ..; - is standard output, as PNG. Profile and EXIF of the "
+               "target go with it");
     declareFormat(line_, job_.format);
     line_.text("--report", job_.report, "FILE", "JSON file with scores, timings and what happened");
     line_.text("--dump", job_.dump, "FOLDER",
-               "for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png and the alignment, model.yml.gz");
-    line_.text("--synthetic", job_.synthetic, "FOLDER", "write source.png and target.png of a synthetic scene into it and stop");
+               "for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png and the "
+               "alignment, model.yml.gz");
+    line_.text("--synthetic", job_.synthetic, "FOLDER",
+               "write source.png and target.png of a synthetic scene into it and stop");
 }
 
 void PairOptions::planOutputs(Console& console) const

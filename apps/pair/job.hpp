@@ -4,9 +4,9 @@
 #ifndef GCPW_APPS_PAIR_JOB_HPP
 #define GCPW_APPS_PAIR_JOB_HPP
 
-#include <opencv2/gcpw/pair.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/gcpw/pair.hpp>
 #include "common/command_line.hpp"
 #include "common/encode_picture.hpp"
 #include "evaluation/methods.hpp"
@@ -19,7 +19,7 @@ struct PairJob
     std::string render_source; ///< shown in place of the source; empty for the source itself
     std::string output = "pano.png";
     std::string dump;
-    std::string report; ///< a file ending in .json
+    std::string report;    ///< a file ending in .json
     std::string synthetic; ///< folder; then nothing is stitched
     std::string crop = "none";
     cv::gcpw::Blend blend = cv::gcpw::Blend::MULTIBAND;

@@ -47,7 +47,8 @@ const char* stopName(StopReason reason)
 
 } // namespace
 
-std::string reportText(const Report& report, const char* method, const Score* before, const Score* after, double render_ms)
+std::string reportText(const Report& report, const char* method, const Score* before, const Score* after,
+                       double render_ms)
 {
     Json json;
     json.beginObject();

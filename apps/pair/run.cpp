@@ -56,8 +56,9 @@ int stitch(const PairJob& job, const Console& console)
     const cv::Mat& target = photographs[1].image;
     const cv::Mat shown = job.render_source.empty() ? source : readImage(job.render_source);
     if (shown.size() != source.size())
-        throw WrongUse(cv::format("%s is %d x %d px and must have the size of %s, %d x %d px", job.render_source.c_str(), shown.cols, shown.rows,
-                                  job.source.c_str(), source.cols, source.rows));
+        throw WrongUse(cv::format("%s is %d x %d px and must have the size of %s, %d x %d px",
+                                  job.render_source.c_str(), shown.cols, shown.rows, job.source.c_str(), source.cols,
+                                  source.rows));
     progress.begin(MATCHING);
     const PairMatches matches = findPairMatches(source, target, job.params, progress.callback());
     progress.begin(ALIGNING);
@@ -96,8 +97,8 @@ int stitch(const PairJob& job, const Console& console)
     ProgressLine::erase();
     if (!report.message.empty())
         console.tell(report.message);
-    console.tell(cv::format("%s: %d x %d, misalignment zncc %g, %d ms", job.output.c_str(), panorama.cols, panorama.rows, after.zncc,
-                            cvRound(report.timings_ms.total + render.getTimeMilli())));
+    console.tell(cv::format("%s: %d x %d, misalignment zncc %g, %d ms", job.output.c_str(), panorama.cols,
+                            panorama.rows, after.zncc, cvRound(report.timings_ms.total + render.getTimeMilli())));
     return EXIT_STITCHED;
 }
 

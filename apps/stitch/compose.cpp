@@ -125,11 +125,13 @@ Warping::Warped Warping::warp(size_t k)
     const cv::Mat K = intrinsics(cameras_[k]);
     Warped warped;
     warped.corner = warper_->warp(image, K, cameras_[k].R, cv::INTER_LINEAR, cv::BORDER_REFLECT, warped.image);
-    warper_->warp(maskOf(photograph, image.size()), K, cameras_[k].R, cv::INTER_NEAREST, cv::BORDER_CONSTANT, warped.mask);
+    warper_->warp(maskOf(photograph, image.size()), K, cameras_[k].R, cv::INTER_NEAREST, cv::BORDER_CONSTANT,
+                  warped.mask);
     return warped;
 }
 
-Composition compose(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep, ProgressLine& progress,
+Composition compose(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep,
+                    ProgressLine& progress,
                     const std::function<void(size_t, const Warping&, const Warping::Warped&)>& on_warped)
 {
     progress.begin(SEAMS);

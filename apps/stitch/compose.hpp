@@ -50,7 +50,8 @@ private:
 /** @brief Makes the picture as cv::Stitcher::composePanorama() does, with transparent pixels left out and 16 bits kept.
 @param deep 16 bits
 @param on_warped called with each warped photograph before its colours change; may be empty */
-Composition compose(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep, ProgressLine& progress,
+Composition compose(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep,
+                    ProgressLine& progress,
                     const std::function<void(size_t, const Warping&, const Warping::Warped&)>& on_warped);
 
 #endif

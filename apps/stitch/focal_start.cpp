@@ -4,7 +4,8 @@
 #include "stitch/focal_start.hpp"
 
 bool FocalStart::estimate(const std::vector<cv::detail::ImageFeatures>& features,
-                          const std::vector<cv::detail::MatchesInfo>& pairwise_matches, std::vector<cv::detail::CameraParams>& cameras)
+                          const std::vector<cv::detail::MatchesInfo>& pairwise_matches,
+                          std::vector<cv::detail::CameraParams>& cameras)
 {
     bool known = true;
     std::vector<cv::detail::CameraParams> start(features.size());

@@ -4,8 +4,8 @@
 #ifndef GCPW_APPS_FOCAL_START_HPP
 #define GCPW_APPS_FOCAL_START_HPP
 
-#include <opencv2/stitching/detail/motion_estimators.hpp>
 #include <vector>
+#include <opencv2/stitching/detail/motion_estimators.hpp>
 
 /** @brief cv::detail::HomographyBasedEstimator that starts from the focal lengths that the photographs' files note.
 
@@ -17,7 +17,8 @@ public:
     FocalStart(const std::vector<double>& focals, const std::vector<int>& widths) : focals_(focals), widths_(widths) {}
 
 protected:
-    bool estimate(const std::vector<cv::detail::ImageFeatures>& features, const std::vector<cv::detail::MatchesInfo>& pairwise_matches,
+    bool estimate(const std::vector<cv::detail::ImageFeatures>& features,
+                  const std::vector<cv::detail::MatchesInfo>& pairwise_matches,
                   std::vector<cv::detail::CameraParams>& cameras) override;
 
 private:

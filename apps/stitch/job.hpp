@@ -4,9 +4,9 @@
 #ifndef GCPW_APPS_STITCH_JOB_HPP
 #define GCPW_APPS_STITCH_JOB_HPP
 
-#include <opencv2/gcpw/params.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/gcpw/params.hpp>
 #include "common/command_line.hpp"
 #include "common/encode_picture.hpp"
 #include "stitch/setup.hpp"
@@ -54,6 +54,7 @@ private:
     void declareOutputs();
     void declareEstimation();
     void declareComposition();
+    void makeSmall();
     void checkValues() const;
     void planOutputs(Console& console) const;
 

@@ -64,7 +64,8 @@ void useModel(const StitchJob& job, const std::vector<Photograph>& photographs, 
 }
 
 /// Looks for cameras and a projection in mode auto.
-void findCameras(const StitchJob& job, const std::vector<Photograph>& photographs, MatchLog& log, ProgressLine& progress, Layout& layout)
+void findCameras(const StitchJob& job, const std::vector<Photograph>& photographs, MatchLog& log,
+                 ProgressLine& progress, Layout& layout)
 {
     const CameraEstimate estimate = estimateCameras(bytesOf(photographs), cameraOptions(job.setup, log));
     releaseFreedMemory();
@@ -89,7 +90,8 @@ void findCameras(const StitchJob& job, const std::vector<Photograph>& photograph
 }
 
 /// OpenCV's own estimation, of the modes by name.
-void estimateByStitcher(const StitchJob& job, const std::vector<Photograph>& photographs, MatchLog& log, ProgressLine& progress, Layout& layout)
+void estimateByStitcher(const StitchJob& job, const std::vector<Photograph>& photographs, MatchLog& log,
+                        ProgressLine& progress, Layout& layout)
 {
     const bool scans = job.setup.mode == "scans";
     std::vector<cv::Mat> images;
@@ -139,8 +141,9 @@ float medianFocal(const std::vector<cv::detail::CameraParams>& cameras)
         focals.push_back(camera.focal);
     std::sort(focals.begin(), focals.end());
     const size_t half = focals.size() / 2;
-    return focals.size() % 2 == 1 ? static_cast<float>(focals[half])
-                                  : static_cast<float>(focals[half - 1] + focals[half]) * 0.5F; // rounded like cv::Stitcher's
+    return focals.size() % 2 == 1
+               ? static_cast<float>(focals[half])
+               : static_cast<float>(focals[half - 1] + focals[half]) * 0.5F; // rounded like cv::Stitcher's
 }
 
 Layout layOut(const StitchJob& job, const std::vector<Photograph>& photographs, MatchLog& log, ProgressLine& progress)

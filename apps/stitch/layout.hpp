@@ -4,9 +4,9 @@
 #ifndef GCPW_APPS_STITCH_LAYOUT_HPP
 #define GCPW_APPS_STITCH_LAYOUT_HPP
 
-#include <opencv2/gcpw/stitcher.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/gcpw/stitcher.hpp>
 #include "common/progress_line.hpp"
 #include "common/read_photograph.hpp"
 #include "stitch/job.hpp"

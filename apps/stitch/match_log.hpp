@@ -7,10 +7,10 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <opencv2/stitching/detail/matchers.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+#include <opencv2/stitching/detail/matchers.hpp>
 
 /** @brief What matchers find, pair by pair: for the progress, and for the graph of matches. From any thread. */
 class MatchLog

@@ -38,8 +38,9 @@ void completeComponent(Rig& rig, size_t photographs, const std::string& path)
         std::iota(rig.component.begin(), rig.component.end(), 0);
     }
     if (rig.component.empty() || rig.component.size() != rig.cameras.size())
-        throw WrongUse("the model " + path + " is of " + std::to_string(rig.cameras.size()) + " other photographs than these " +
-                       std::to_string(photographs) + "; give it those of the same cameras, in the same order");
+        throw WrongUse("the model " + path + " is of " + std::to_string(rig.cameras.size()) +
+                       " other photographs than these " + std::to_string(photographs) +
+                       "; give it those of the same cameras, in the same order");
     for (const int index : rig.component)
         if (index < 0 || index >= static_cast<int>(photographs))
             throw WrongUse("the model " + path + " is of photograph " + std::to_string(index + 1) + ", and " +
@@ -51,9 +52,10 @@ void checkShape(const Photograph& photograph, cv::Size made, double scale, const
 {
     const cv::Size size = photograph.image.size();
     if (std::abs(size.width * scale - made.width) > ROUNDING || std::abs(size.height * scale - made.height) > ROUNDING)
-        throw WrongUse(cv::format("the model %s is of photographs of another size: %s is %d x %d px, and its cameras took pictures of the "
-                                  "shape %d x %d, all scaled alike",
-                                  path.c_str(), photograph.path.c_str(), size.width, size.height, made.width, made.height));
+        throw WrongUse(cv::format(
+            "the model %s is of photographs of another size: %s is %d x %d px, and its cameras took pictures of the "
+            "shape %d x %d, all scaled alike",
+            path.c_str(), photograph.path.c_str(), size.width, size.height, made.width, made.height));
 }
 
 } // namespace

@@ -4,9 +4,9 @@
 #ifndef GCPW_APPS_STITCH_MODEL_HPP
 #define GCPW_APPS_STITCH_MODEL_HPP
 
-#include <opencv2/gcpw/rig.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/gcpw/rig.hpp>
 #include "common/read_photograph.hpp"
 
 struct Layout;

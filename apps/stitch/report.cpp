@@ -32,10 +32,13 @@ void addAlignment(Json& json, const Report& report, int estimations)
 
 } // namespace
 
-std::string reportText(const StitchJob& job, const std::vector<std::string>& paths, const Layout& layout, const Stages& stages, cv::Size size)
+std::string reportText(const StitchJob& job, const std::vector<std::string>& paths, const Layout& layout,
+                       const Stages& stages, cv::Size size)
 {
     Json json;
-    json.beginObject().add("status", layout.ok() ? "stitched" : layout.trouble).add("method", job.gcpw ? "gcpw" : "none");
+    json.beginObject()
+        .add("status", layout.ok() ? "stitched" : layout.trouble)
+        .add("method", job.gcpw ? "gcpw" : "none");
     json.add("width", size.width).add("height", size.height).add("images", static_cast<int>(paths.size()));
     json.beginArray("dropped");
     for (size_t i = 0; i < paths.size(); ++i)
@@ -48,7 +51,10 @@ std::string reportText(const StitchJob& job, const std::vector<std::string>& pat
     json.endArray();
     if (job.gcpw)
         addAlignment(json, layout.rig.alignment.report(), layout.estimations);
-    json.beginObject("timings_ms").add("read", stages.read).add("cameras", stages.cameras).add("compose", stages.compose);
+    json.beginObject("timings_ms")
+        .add("read", stages.read)
+        .add("cameras", stages.cameras)
+        .add("compose", stages.compose);
     json.add("total", stages.total()).endObject().endObject();
     return json.text();
 }

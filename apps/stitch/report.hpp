@@ -20,6 +20,7 @@ struct Stages
 /** @brief The JSON of --report.
 @param paths of all photographs that were read
 @param size of the picture; 0 x 0 if there is none */
-std::string reportText(const StitchJob& job, const std::vector<std::string>& paths, const Layout& layout, const Stages& stages, cv::Size size);
+std::string reportText(const StitchJob& job, const std::vector<std::string>& paths, const Layout& layout,
+                       const Stages& stages, cv::Size size);
 
 #endif

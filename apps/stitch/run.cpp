@@ -48,7 +48,8 @@ private:
 
 bool isDeep(const std::vector<Photograph>& photographs)
 {
-    return std::any_of(photographs.begin(), photographs.end(), [](const Photograph& one) { return one.image.depth() == CV_16U; });
+    return std::any_of(photographs.begin(), photographs.end(),
+                       [](const Photograph& one) { return one.image.depth() == CV_16U; });
 }
 
 /** Turns a column's picture, which comes out turned to the left by 90 degrees, back.
@@ -62,8 +63,9 @@ void standUp(const Photograph& photograph, Composition& composition, std::vector
     const int turned_right = orientation == 6 ? 1 : orientation == 8 ? 3 : 0;
     const int noted = photograph.image.cols > photograph.image.rows ? turned_right : 0;
     if (noted != 0)
-        decisions.push_back("the picture does without the turn that is noted in the photographs: it lays on their side what was "
-                            "stored upright, and they stand in a column");
+        decisions.push_back(
+            "the picture does without the turn that is noted in the photographs: it lays on their side what was "
+            "stored upright, and they stand in a column");
     // Turned to the right once, and to the left as often as the note did to the right.
     const int turns = (1 - noted + 4) % 4;
     for (cv::Mat* image : {&composition.picture, &composition.shown})
@@ -80,7 +82,8 @@ cv::Mat cropped(const StitchJob& job, const Composition& composition, const Cons
     const cv::Rect inner = job.crop == "auto" ? largestRectangle(composition.shown) : cv::Rect();
     if (inner.empty())
         return composition.picture;
-    console.detail(cv::format("cropped from %d x %d to %d x %d px", composition.picture.cols, composition.picture.rows, inner.width, inner.height));
+    console.detail(cv::format("cropped from %d x %d to %d x %d px", composition.picture.cols, composition.picture.rows,
+                              inner.width, inner.height));
     return composition.picture(inner);
 }
 
@@ -89,7 +92,8 @@ class Panorama
 {
 public:
     /// @param photographs of job.paths, those that could be read
-    Panorama(const StitchJob& job, const std::vector<Photograph>& photographs, ProgressLine& progress, const Console& console)
+    Panorama(const StitchJob& job, const std::vector<Photograph>& photographs, ProgressLine& progress,
+             const Console& console)
         : job_(job), photographs_(photographs), progress_(progress), console_(console)
     {
     }
@@ -132,8 +136,8 @@ private:
     /// What neither cameras nor a model are asked of.
     bool mayBePair() const
     {
-        return photographs_.size() == 2 && job_.gcpw && job_.setup.mode == "auto" && job_.save_model.empty() && job_.dump.empty() &&
-               job_.timelapse.empty();
+        return photographs_.size() == 2 && job_.gcpw && job_.setup.mode == "auto" && job_.save_model.empty() &&
+               job_.dump.empty() && job_.timelapse.empty();
     }
 
     void writeGraph(const MatchLog& log) const
@@ -151,7 +155,8 @@ private:
         TimeLapse frames(job_, layout);
         std::function<void(size_t, const Warping&, const Warping::Warped&)> on_warped;
         if (!job_.timelapse.empty())
-            on_warped = [&frames](size_t k, const Warping& warping, const Warping::Warped& warped) { frames.write(k, warping, warped); };
+            on_warped = [&frames](size_t k, const Warping& warping, const Warping::Warped& warped)
+            { frames.write(k, warping, warped); };
         Composition composition = compose(job_, photographs_, layout, deep, progress_, on_warped);
         if (layout.turned)
             standUp(photographs_[0], composition, layout.decisions);
@@ -167,10 +172,10 @@ private:
             saveModel(layout, photographs_, job_.save_model);
         if (!job_.dump.empty())
             dumpWarped(job_, photographs_, layout);
-        console_.tell(cv::format("%s: %d x %d of %zu images, %d ms", job_.output.c_str(), picture.cols, picture.rows, layout.component.size(),
-                                 cvRound(stages_.total())));
-        console_.detail(cv::format("reading took %.0f ms, cameras and alignment %.0f ms, composing %.0f ms", stages_.read, stages_.cameras,
-                                   stages_.compose));
+        console_.tell(cv::format("%s: %d x %d of %zu images, %d ms", job_.output.c_str(), picture.cols, picture.rows,
+                                 layout.component.size(), cvRound(stages_.total())));
+        console_.detail(cv::format("reading took %.0f ms, cameras and alignment %.0f ms, composing %.0f ms",
+                                   stages_.read, stages_.cameras, stages_.compose));
     }
 
     const StitchJob& job_;

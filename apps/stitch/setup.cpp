@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <opencv2/opencv_modules.hpp>
 #include <opencv2/stitching/detail/matchers.hpp>
 #include <opencv2/stitching/detail/motion_estimators.hpp>
 #include <opencv2/stitching/detail/seam_finders.hpp>
 #include <opencv2/stitching/detail/warpers.hpp>
-#include <utility>
 #ifdef HAVE_OPENCV_XFEATURES2D
 #include <opencv2/xfeatures2d/nonfree.hpp>
 #endif
@@ -84,29 +84,31 @@ const Choices<cv::Feature2D>& finders()
         {"akaze", [] { return cv::Ptr<cv::Feature2D>(cv::AKAZE::create()); }},
 #endif
         {"orb", [] { return cv::Ptr<cv::Feature2D>(cv::ORB::create(most)); }},
-        {"surf", makeSurf}};
+        {"surf", makeSurf}
+    };
     return choices;
 }
 
 const Choices<cv::WarperCreator>& warpers()
 {
     typedef cv::WarperCreator W;
-    static const Choices<W> choices = {{"spherical", make<W, cv::SphericalWarper>()},
-                                       {"cylindrical", make<W, cv::CylindricalWarper>()},
-                                       {"plane", make<W, cv::PlaneWarper>()},
-                                       {"affine", make<W, cv::AffineWarper>()},
-                                       {"fisheye", make<W, cv::FisheyeWarper>()},
-                                       {"stereographic", make<W, cv::StereographicWarper>()},
-                                       {"compressedPlaneA2B1", stretched<cv::CompressedRectilinearWarper>(2.0F)},
-                                       {"compressedPlaneA1.5B1", stretched<cv::CompressedRectilinearWarper>(1.5F)},
-                                       {"compressedPlanePortraitA2B1", stretched<cv::CompressedRectilinearPortraitWarper>(2.0F)},
-                                       {"compressedPlanePortraitA1.5B1", stretched<cv::CompressedRectilinearPortraitWarper>(1.5F)},
-                                       {"paniniA2B1", stretched<cv::PaniniWarper>(2.0F)},
-                                       {"paniniA1.5B1", stretched<cv::PaniniWarper>(1.5F)},
-                                       {"paniniPortraitA2B1", stretched<cv::PaniniPortraitWarper>(2.0F)},
-                                       {"paniniPortraitA1.5B1", stretched<cv::PaniniPortraitWarper>(1.5F)},
-                                       {"mercator", make<W, cv::MercatorWarper>()},
-                                       {"transverseMercator", make<W, cv::TransverseMercatorWarper>()}};
+    static const Choices<W> choices = {
+        {"spherical", make<W, cv::SphericalWarper>()},
+        {"cylindrical", make<W, cv::CylindricalWarper>()},
+        {"plane", make<W, cv::PlaneWarper>()},
+        {"affine", make<W, cv::AffineWarper>()},
+        {"fisheye", make<W, cv::FisheyeWarper>()},
+        {"stereographic", make<W, cv::StereographicWarper>()},
+        {"compressedPlaneA2B1", stretched<cv::CompressedRectilinearWarper>(2.0F)},
+        {"compressedPlaneA1.5B1", stretched<cv::CompressedRectilinearWarper>(1.5F)},
+        {"compressedPlanePortraitA2B1", stretched<cv::CompressedRectilinearPortraitWarper>(2.0F)},
+        {"compressedPlanePortraitA1.5B1", stretched<cv::CompressedRectilinearPortraitWarper>(1.5F)},
+        {"paniniA2B1", stretched<cv::PaniniWarper>(2.0F)},
+        {"paniniA1.5B1", stretched<cv::PaniniWarper>(1.5F)},
+        {"paniniPortraitA2B1", stretched<cv::PaniniPortraitWarper>(2.0F)},
+        {"paniniPortraitA1.5B1", stretched<cv::PaniniPortraitWarper>(1.5F)},
+        {"mercator", make<W, cv::MercatorWarper>()},
+        {"transverseMercator", make<W, cv::TransverseMercatorWarper>()}};
     return choices;
 }
 
@@ -215,11 +217,14 @@ void checkSetup(const StitchSetup& setup)
         makeSurf();
     const std::string& mask = setup.ba_refine_mask;
     if (mask.size() != 5 || mask.find_first_not_of("x_") != std::string::npos)
-        throw WrongUse("--ba_refine_mask is five letters, x to refine and _ to keep fx, skew, ppx, aspect and ppy: 'x_xxx'; got '" + mask + "'");
-    const bool by_name = !setup.ba.empty() || !setup.wave_correct.empty() || !setup.matcher.empty() || !setup.estimator.empty() ||
-                         mask != StitchSetup().ba_refine_mask;
+        throw WrongUse("--ba_refine_mask is five letters, x to refine and _ to keep fx, skew, ppx, aspect and ppy: "
+                       "'x_xxx'; got '" +
+                       mask + "'");
+    const bool by_name = !setup.ba.empty() || !setup.wave_correct.empty() || !setup.matcher.empty() ||
+                         !setup.estimator.empty() || mask != StitchSetup().ba_refine_mask;
     if (setup.mode == "auto" && by_name)
-        throw WrongUse("--mode=auto chooses cameras itself; --matcher, --estimator, --ba, --ba_refine_mask and --wave_correct are for "
+        throw WrongUse("--mode=auto chooses cameras itself; --matcher, --estimator, --ba, --ba_refine_mask and "
+                       "--wave_correct are for "
                        "--mode=panorama and --mode=scans");
 }
 
@@ -266,8 +271,7 @@ cv::Ptr<detail::ExposureCompensator> compensatorOf(const StitchSetup& setup)
     typedef detail::ExposureCompensator E;
     const std::vector<std::string> names = compensatorNames();
     const int types[] = {E::NO, E::GAIN, E::GAIN_BLOCKS, E::CHANNELS, E::CHANNELS_BLOCKS}; // in the order of the names
-    const std::string name = setup.mode == "scans" ? "no" : setup.expos_comp; // scans have one light
-    const auto found = std::find(names.begin(), names.end(), name);
+    const auto found = std::find(names.begin(), names.end(), setup.expos_comp);
     CV_Assert(found != names.end());
     const cv::Ptr<E> compensator = E::createDefault(types[found - names.begin()]);
     if (const auto gain = compensator.dynamicCast<detail::GainCompensator>())

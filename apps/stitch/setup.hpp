@@ -4,10 +4,10 @@
 #ifndef GCPW_APPS_STITCH_SETUP_HPP
 #define GCPW_APPS_STITCH_SETUP_HPP
 
-#include <opencv2/gcpw/cameras.hpp>
-#include <opencv2/stitching.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/gcpw/cameras.hpp>
+#include <opencv2/stitching.hpp>
 #include "stitch/match_log.hpp"
 
 /// How a panorama is made, in the words of OpenCV's stitching_detailed.
@@ -28,7 +28,7 @@ struct StitchSetup
     double seam_megapix = 0.1;
     double compose_megapix = -1;
     double conf_thresh = 1;
-    double match_conf = -1; ///< -1: as stitching_detailed has it for the kind of features
+    double match_conf = -1;     ///< -1: as stitching_detailed has it for the kind of features
     double blend_strength = -1; ///< -1: as cv::Stitcher has it
     int range_width = -1;
     int expos_comp_nr_feeds = 1;

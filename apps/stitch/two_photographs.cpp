@@ -7,7 +7,8 @@
 
 using namespace cv::gcpw;
 
-bool stitchTwo(const StitchJob& job, const std::vector<Photograph>& photographs, Layout& layout, Composition& composition)
+bool stitchTwo(const StitchJob& job, const std::vector<Photograph>& photographs, Layout& layout,
+               Composition& composition)
 {
     const cv::Mat source = toBytes(photographs[0].image);
     const cv::Mat target = toBytes(photographs[1].image);
@@ -18,6 +19,7 @@ bool stitchTwo(const StitchJob& job, const std::vector<Photograph>& photographs,
     composition.picture = blendPair(canvas, Blend::MULTIBAND);
     composition.shown = canvas.source_mask | canvas.target_mask;
     layout.component = {0, 1};
-    layout.decisions.emplace_back("no cameras were found for the two photographs, but a homography was: they are stitched as gcpw_pair does");
+    layout.decisions.emplace_back(
+        "no cameras were found for the two photographs, but a homography was: they are stitched as gcpw_pair does");
     return true;
 }

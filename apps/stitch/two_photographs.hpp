@@ -9,6 +9,7 @@
 /** @brief Stitches two photographs that no cameras were found for as gcpw_pair does, which asks for a homography only.
 @param layout gets both photographs and the decision if that succeeds
 @return whether it did */
-bool stitchTwo(const StitchJob& job, const std::vector<Photograph>& photographs, Layout& layout, Composition& composition);
+bool stitchTwo(const StitchJob& job, const std::vector<Photograph>& photographs, Layout& layout,
+               Composition& composition);
 
 #endif

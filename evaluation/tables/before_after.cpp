@@ -3,16 +3,18 @@
 // of this distribution and at http://opencv.org/license.html.
 //
 // Draws panoramas of cv::Stitcher alone and with GCPW side by side, with bent lines in red; see scripts/pictures.
+#include "evaluation/before_after.hpp"
 #include <opencv2/imgcodecs.hpp>
 #include "common/program.hpp"
 #include "common/write_file.hpp"
-#include "evaluation/before_after.hpp"
 
 namespace
 {
 
-const CommandLine::Texts TEXTS = {"before_after", "Draws panoramas of cv::Stitcher alone and with GCPW side by side.",
-                                  "before_after PHOTOGRAPH.. --plain=FOLDER --gcpw=FOLDER", {}};
+const CommandLine::Texts TEXTS = {"before_after",
+                                  "Draws panoramas of cv::Stitcher alone and with GCPW side by side.",
+                                  "before_after PHOTOGRAPH.. --plain=FOLDER --gcpw=FOLDER",
+                                  {}};
 
 /// The best quality that fits.
 void writeSmall(const std::string& path, const cv::Mat& picture, int kilobytes)
@@ -44,12 +46,14 @@ int main(int argc, char** argv)
     line.arguments(photographs);
     line.group("Pictures");
     line.text("--plain", plain, "FOLDER", "of gcpw_stitch --method=none: panorama.png or .jpg, and its --dump");
-    line.text("--gcpw", gcpw, "FOLDER", "of gcpw_stitch: panorama.png or .jpg, its --dump, and --save_model=model.yml.gz");
+    line.text("--gcpw", gcpw, "FOLDER",
+              "of gcpw_stitch: panorama.png or .jpg, its --dump, and --save_model=model.yml.gz");
     line.text("-o,--output", output, "FILE", "the picture");
     line.integer("--width", width, {64, 32766, "px"}, "of the picture, px");
     line.integer("--kilobytes", kilobytes, {1, 1e6}, "a JPEG file is compressed until it is no larger");
-    return runProgram(line, argc, argv, [&](const Console& console)
-    {
+    return runProgram(line, argc, argv,
+                      [&](const Console& console)
+                      {
         if (photographs.size() < 2 || plain.empty() || gcpw.empty())
             throw WrongUse("photographs, --plain and --gcpw are needed; --help lists the options");
         writeSmall(output, evaluation::beforeAfter(plain, gcpw, photographs, width), kilobytes);

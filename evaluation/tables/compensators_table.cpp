@@ -19,8 +19,10 @@ typedef cv::detail::ExposureCompensator Compensator;
 using cv::gcpw::Rig;
 
 const CommandLine::Texts TEXTS = {
-    "compensators_table", "Prints the RMS colour difference in the overlaps of sets of photographs after exposure compensation.",
-    "compensators_table FOLDER.. [options]", {}};
+    "compensators_table",
+    "Prints the RMS colour difference in the overlaps of sets of photographs after exposure compensation.",
+    "compensators_table FOLDER.. [options]",
+    {}};
 
 /// What the command line says.
 struct Options
@@ -186,13 +188,15 @@ int main(int argc, char** argv)
     std::vector<std::string> folders;
     line.arguments(folders);
     line.group("Comparison");
-    line.number("--megapix", options.megapix, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"}, "resolution of the comparison, million pixels");
+    line.number("--megapix", options.megapix, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"},
+                "resolution of the comparison, million pixels");
     line.number("--feed_megapix", options.feed_megapix, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"},
                 "resolution of the estimation, million pixels; cv::Stitcher's is 0.1");
     line.integer("--joint", options.joint, {0, 1}, "0: only on the plain warp, without the joint alignment");
     line.text("--set", options.settings, "NAME=VALUE,..", "parameters; see gcpw::Params");
-    return runProgram(line, argc, argv, [&](const Console&)
-    {
+    return runProgram(line, argc, argv,
+                      [&](const Console&)
+                      {
         cv::gcpw::Params params;
         applySettings(options.settings, params);
         std::printf("| set |");

@@ -15,7 +15,7 @@ from documents import blocks, conclude, documents
 
 PROGRAM = re.compile(r"^(?:\S*/)?(gcpw_\w+)$")
 SCRIPT = re.compile(r"^(?:\./)?(scripts/\w\S*|evaluation/\w+\.py)$")
-OPTION = re.compile(r'\bline_?\.\w+\("(-[^"]+)"|^    (?:flag|integer)\("(-[^"]+)"', re.MULTILINE)
+OPTION = re.compile(r'\bline_?\.\w+\(\s*"(-[^"]+)"|^    (?:flag|integer)\("(-[^"]+)"', re.MULTILINE)
 PARAMETER = re.compile(r'^    \{"(\w+)", ', re.MULTILINE)
 LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)\s]*)?\)")
 INLINE = re.compile(r"(?<!`)`([^`\n]+)`(?!`)")

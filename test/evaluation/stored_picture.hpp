@@ -4,9 +4,9 @@
 #ifndef GCPW_TEST_STORED_PICTURE_HPP
 #define GCPW_TEST_STORED_PICTURE_HPP
 
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
+#include <opencv2/imgcodecs.hpp>
 
 /// Files with an orientation, made byte by byte: nothing of what reads them has a hand in it.
 namespace stored

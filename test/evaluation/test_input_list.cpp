@@ -48,8 +48,8 @@ TEST(InputList, what_stands_for_nothing_is_refused)
     const ScratchFolder folder;
     folder.write("empty.txt", "# none\n");
     folder.write("round.txt", "@round.txt\n");
-    for (const std::string& argument : {folder.path("*.jpg"), folder.path(""), "@" + folder.path("missing.txt"), "@" + folder.path("empty.txt"),
-                                        "@" + folder.path("round.txt")})
+    for (const std::string& argument : {folder.path("*.jpg"), folder.path(""), "@" + folder.path("missing.txt"),
+                                        "@" + folder.path("empty.txt"), "@" + folder.path("round.txt")})
         EXPECT_THROW(listPhotographs({argument}), FileTrouble) << argument;
 }
 

@@ -19,7 +19,8 @@ cv::Mat scene(int type = CV_8UC3)
     cv::Mat picture(60, 90, CV_8UC3);
     for (int y = 0; y < picture.rows; ++y)
         for (int x = 0; x < picture.cols; ++x)
-            picture.at<cv::Vec3b>(y, x) = cv::Vec3b(static_cast<uchar>(2 * x), static_cast<uchar>(4 * y), static_cast<uchar>(x + y));
+            picture.at<cv::Vec3b>(y, x) =
+                cv::Vec3b(static_cast<uchar>(2 * x), static_cast<uchar>(4 * y), static_cast<uchar>(x + y));
     if (CV_MAT_DEPTH(type) == CV_16U)
         picture.convertTo(picture, CV_16U, 257, 77); // 77: what 8 bits would lose
     return picture;
@@ -68,7 +69,9 @@ TEST(ReadPhotograph, every_orientation_stands_upright_in_every_format)
     const ScratchFolder folder;
     const cv::Mat expected = scene();
     const std::vector<std::pair<std::string, std::function<std::string(const cv::Mat&, int)>>> formats = {
-        {"jpg", stored::jpeg}, {"png", stored::png}, {"webp", stored::webp}, {"tif", [](const cv::Mat& m, int o) { return stored::tiff(m, o); }}};
+        {"jpg", stored::jpeg}, {"png", stored::png}, {"webp", stored::webp}, {"tif", [](const cv::Mat& m, int o) {
+                                                                                  return stored::tiff(m, o);
+                                                                              }}};
     for (const auto& format : formats)
         for (int orientation = 1; orientation <= 8; ++orientation)
         {
@@ -96,7 +99,8 @@ TEST(ReadPhotograph, sixteen_bits_and_the_profile_go_in_and_out)
         ASSERT_EQ(photograph.image.type(), CV_16UC3) << orientation;
         ASSERT_EQ(photograph.image.size(), expected.size()) << orientation;
         EXPECT_EQ(cv::norm(photograph.image, expected, cv::NORM_INF), 0) << orientation;
-        EXPECT_EQ(std::string(photograph.metadata.profile().begin(), photograph.metadata.profile().end()), profile) << orientation;
+        EXPECT_EQ(std::string(photograph.metadata.profile().begin(), photograph.metadata.profile().end()), profile)
+            << orientation;
         for (const char* name : {"out.tif", "out.png"})
         {
             writePicture(folder.path(name), photograph.image, PictureFormat(), photograph.metadata);
