@@ -17,7 +17,7 @@ class TiledBlender : public cv::detail::Blender
 public:
     static const int USUAL_BANDS = 5; ///< OpenCV's own
 
-    /// @param deep images have values up to 32767 instead of 255, and so has the picture: CV_16SC3
+    /// @param deep images have values up to 8191 instead of 255, and so has the picture: CV_16SC3
     explicit TiledBlender(int bands = USUAL_BANDS, bool deep = false) : bands_(bands), deep_(deep) {}
 
     void prepare(cv::Rect roi) override;

@@ -12,7 +12,8 @@ namespace
 {
 
 const double SAME_SCALE = 0.1; ///< nearer to 1 photographs are not scaled, as cv::Stitcher has it
-const double TO_DEEP = 0.5;    ///< 16 bits as OpenCV's blenders take them, which have a sign to spare
+/// What blenders get of 16 bits: they add up weighted values in 15 bits, and up to four photographs lie over each other. 13 bits are left.
+const double TO_DEEP = 1 / 8.0;
 
 double scaleFor(double megapix, cv::Size size)
 {

@@ -276,10 +276,10 @@ TEST(Gcpw_ColorField, one_thread_and_many_give_the_same_bits)
     EXPECT_EQ(cv::norm(pictures[0], pictures[1], NORM_INF), 0);
 }
 
-TEST(Gcpw_ColorField, what_is_no_8_bit_picture_or_no_grid_is_refused)
+TEST(Gcpw_ColorField, what_is_no_picture_or_no_grid_is_refused)
 {
     const ColorField field(linearGrid());
-    for (const int type : {CV_8UC4, CV_16UC3, CV_32FC1})
+    for (const int type : {CV_8UC4, CV_16SC3, CV_32FC1})
     {
         Mat picture(20, 20, type, Scalar::all(1));
         EXPECT_THROW(field.apply(picture, Mat(), turned), cv::Exception) << type;
