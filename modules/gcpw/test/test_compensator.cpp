@@ -294,7 +294,7 @@ TEST(Gcpw_Compensator, feed_refuses_what_apply_would_refuse)
     std::vector<Mat> before;
     compensator.getMatGains(before);
     const Size size = pair.images[0].size();
-    for (const int type : {CV_8UC4, CV_16SC3, CV_16UC1, CV_32FC3})
+    for (const int type : {CV_8UC4, CV_16UC3, CV_16UC1, CV_32FC3})
         EXPECT_THROW(compensator.feed(pair.corners, {UMat(size, type, Scalar::all(9)), UMat(size, type, Scalar::all(9))}, pair.masks), cv::Exception) << type;
     for (const int type : {CV_32FC1, CV_8SC1, CV_8UC3})
         EXPECT_THROW(compensator.feed(pair.corners, pair.images, std::vector<UMat>(2, UMat(size, type, Scalar::all(255)))), cv::Exception) << type;
