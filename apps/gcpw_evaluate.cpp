@@ -10,6 +10,7 @@
 #include <thread>
 #include <unistd.h>
 #include "common/program.hpp"
+#include "common/write_file.hpp"
 #include "evaluation/color_variation.hpp"
 #include "evaluation/contact_sheet.hpp"
 #include "evaluation/experiment.hpp"
@@ -21,21 +22,14 @@ using evaluation::PairMethod;
 namespace
 {
 
-const char* const KEYS =
-    "{help h usage ? |                  | this text }"
-    "{pairs          |                  | folder with a folder a pair, each with photographs 01.* (source) and 02.* (target) }"
-    "{sets           |                  | folder with a folder a panorama: stitched by OpenCV alone and with GCPW }"
-    "{out            | build/evaluation | folder for tables and sheets; finished rows in it are kept }"
-    "{methods        | all              | comma-separated: global, apap, cpw, dfw, mfw, lsh_mfw, ros_mfw, gcpw }"
-    "{degrees        | 0..16            | of synthetic colour variation: 0..16, or 0,4,8 }"
-    "{inputs         | 5                | score each pair as the median over the first 1..5 inputs, a pixel apart; 1 for a quick look }"
-    "{max_megapix    | 0.48             | photographs are scaled down to this, million pixels }"
-    "{write_inputs   |                  | write the inputs of all pairs to this folder, PAIR/1/01.png and so on, and stop }"
-    "{workers        | 0                | inputs at a time, one thread each; 0 takes one for each core }"
-    "{fresh          |                  | forget the results in --out }"
-    "{no_sheets      |                  | no contact sheets }"
-    "{paper          |                  | the paper's constants instead of the defaults }"
-    "{set            |                  | further parameters, name=value,name=value; see gcpw::Params }";
+const CommandLine::Texts TEXTS = {
+    "gcpw_evaluate",
+    "Compares the methods on pairs of photographs, as they are and with synthetic colour variation, and panoramas with "
+    "OpenCV's.\n"
+    "Exit code: 0 all runs done, 1 some runs had no result, 2 wrong use, 3 could not read or write a file.",
+    "gcpw_evaluate --pairs=FOLDER [options]",
+    {"gcpw_evaluate --pairs=PAIRS --out=OUT --inputs=1 --degrees=0", "a quick look",
+     "gcpw_evaluate --sets=SETS --out=OUT", "panoramas"}};
 
 /// Everything one run is asked to do.
 struct Job
@@ -48,6 +42,50 @@ struct Job
     bool fresh = false;
     bool sheets = true;
 };
+
+/// What the command line says.
+struct Options
+{
+    std::string pairs;
+    std::string sets;
+    std::string out = "build/evaluation";
+    std::string methods = "all";
+    std::string degrees = "0..16";
+    std::string write_inputs;
+    std::string settings;
+    int inputs = evaluation::INPUTS;
+    int workers = 0;
+    double max_megapix = 0.48;
+    bool fresh = false;
+    bool no_sheets = false;
+    bool paper = false;
+};
+
+void declare(CommandLine& line, Options& options)
+{
+    line.group("Photographs");
+    line.text("--pairs", options.pairs, "FOLDER",
+              "with a folder a pair, each with photographs 01.* (source) and 02.* (target)");
+    line.text("--sets", options.sets, "FOLDER", "with a folder a panorama: stitched by OpenCV alone and with GCPW");
+    line.number("--max_megapix", options.max_megapix, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"},
+                "photographs are scaled down to this, million pixels");
+    line.group("Experiment");
+    line.text("--methods", options.methods, "NAMES",
+              "comma-separated: global, apap, cpw, dfw, mfw, lsh_mfw, ros_mfw, gcpw");
+    line.text("--degrees", options.degrees, "NUMBERS", "of synthetic colour variation: 0..16, or 0,4,8");
+    line.integer("--inputs", options.inputs, {1, evaluation::INPUTS},
+                 "score each pair as the median over the first 1..5 inputs, a pixel apart; 1 for a quick look");
+    line.integer("--workers", options.workers, {0, 256},
+                 "inputs at a time, one thread each; 0 takes one for each core");
+    line.flag("--paper", options.paper, "the paper's constants instead of the defaults");
+    line.text("--set", options.settings, "NAME=VALUE,..", "further parameters; see gcpw::Params");
+    line.group("Outputs");
+    line.text("-o,--out", options.out, "FOLDER", "for tables and sheets; finished rows in it are kept");
+    line.flag("--fresh", options.fresh, "forget the results in --out");
+    line.flag("--no_sheets", options.no_sheets, "no contact sheets");
+    line.text("--write_inputs", options.write_inputs, "FOLDER",
+              "write the inputs of all pairs to it, PAIR/1/01.png and so on, and stop");
+}
 
 std::vector<std::string> split(const std::string& text)
 {
@@ -101,51 +139,35 @@ std::vector<int> degreesOf(const std::string& text)
     return std::vector<int>(degrees.begin(), degrees.end());
 }
 
-Job parse(const cv::CommandLineParser& parser)
+Job jobOf(const Options& options)
 {
     Job job;
     evaluation::Experiment& experiment = job.experiment;
-    const std::string pairs = parser.get<std::string>("pairs");
-    const std::string sets = parser.get<std::string>("sets");
-    if (pairs.empty() && sets.empty())
+    if (options.pairs.empty() && options.sets.empty())
         throw WrongUse("photographs are needed: gcpw_evaluate --pairs=FOLDER or --sets=FOLDER; --help lists the options");
-    if (pairs.empty() && parser.has("write_inputs"))
+    if (options.pairs.empty() && !options.write_inputs.empty())
         throw WrongUse("--write_inputs is for pairs: gcpw_evaluate --pairs=FOLDER --write_inputs=FOLDER");
-    if (!pairs.empty())
-        experiment.pairs = evaluation::findPairs(pairs);
-    if (!sets.empty())
-        job.sets = evaluation::findSets(sets);
-    experiment.folder = parser.get<std::string>("out");
-    experiment.methods = methodsOf(parser.get<std::string>("methods"));
-    experiment.degrees = degreesOf(parser.get<std::string>("degrees"));
-    experiment.inputs = parser.get<int>("inputs");
-    experiment.max_megapix = parser.get<double>("max_megapix");
-    experiment.workers = parser.get<int>("workers");
-    job.write_inputs = parser.get<std::string>("write_inputs");
-    job.fresh = parser.has("fresh");
-    job.sheets = !parser.has("no_sheets");
-    if (parser.has("paper"))
+    if (!options.pairs.empty())
+        experiment.pairs = evaluation::findPairs(options.pairs);
+    if (!options.sets.empty())
+        job.sets = evaluation::findSets(options.sets);
+    experiment.folder = options.out;
+    experiment.methods = methodsOf(options.methods);
+    experiment.degrees = degreesOf(options.degrees);
+    experiment.inputs = options.inputs;
+    experiment.max_megapix = options.max_megapix;
+    experiment.workers =
+        options.workers > 0 ? options.workers : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    job.write_inputs = options.write_inputs;
+    job.fresh = options.fresh;
+    job.sheets = !options.no_sheets;
+    if (options.paper)
         experiment.params = cv::gcpw::Params::paper();
-    const std::string settings = parser.get<std::string>("set");
-    applySettings(settings, experiment.params);
-    if (!job.sets.empty() && parser.has("paper"))
+    applySettings(options.settings, experiment.params);
+    if (!job.sets.empty() && options.paper)
         throw WrongUse("--paper is for pairs; gcpw_stitch takes --set");
-    if (!settings.empty())
-        job.stitch_options.push_back("--set=" + settings);
-    if (!parser.check())
-    {
-        parser.printErrors();
-        throw WrongUse("--help lists the options");
-    }
-    if (!(experiment.max_megapix > 0))
-        throw WrongUse("--max_megapix is million pixels, more than 0");
-    if (experiment.inputs < 1 || experiment.inputs > evaluation::INPUTS)
-        throw WrongUse("--inputs lies in 1..5, got " + std::to_string(experiment.inputs));
-    if (experiment.workers < 0 || experiment.workers > 256)
-        throw WrongUse("--workers lies in 0..256, got " + std::to_string(experiment.workers));
-    if (experiment.workers == 0)
-        experiment.workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    experiment.params.check();
+    if (!options.settings.empty())
+        job.stitch_options.push_back("--set=" + options.settings);
     job.options.push_back(cv::format("max_megapix=%.9g", experiment.max_megapix));
     for (const std::string& name : cv::gcpw::Params::names())
         if (name != "method")
@@ -169,7 +191,7 @@ int writeInputs(const evaluation::Experiment& experiment, const std::string& fol
             catch (const cv::Exception& error)
             {
                 std::cerr << "gcpw_evaluate: " << pair.name << ": " << error.err << '\n';
-                code = EXIT_NO_ALIGNMENT;
+                code = EXIT_NO_ANSWER;
                 break;
             }
             const std::string place = folder + "/" + pair.name + "/" + std::to_string(input);
@@ -232,7 +254,7 @@ int evaluatePairs(const Job& job)
     bool whole = complaints.empty();
     if (job.sheets && experiment.degrees.front() == 0)
         whole = writeSheets(experiment, rows) && whole;
-    return whole ? EXIT_STITCHED : EXIT_NO_ALIGNMENT;
+    return whole ? EXIT_STITCHED : EXIT_NO_ANSWER;
 }
 
 /// @param program path of gcpw_stitch
@@ -259,17 +281,26 @@ std::string siblingOf(const char* self, const std::string& name)
 
 int main(int argc, char** argv)
 {
-    const std::string about = "Compares the methods on pairs of photographs, as they are and with synthetic colour variation.\n"
-                              "Exit code: 0 all runs done, 1 some runs had no result, 2 wrong use.";
-    return runProgram("gcpw_evaluate", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
-    {
-        const Job job = parse(parser);
-        if (!job.write_inputs.empty())
-            return writeInputs(job.experiment, job.write_inputs);
-        cv::setNumThreads(1); // a worker is a thread: no matter how many there are, each run is the same
-        const int code = job.experiment.pairs.empty() ? static_cast<int>(EXIT_STITCHED) : evaluatePairs(job);
-        if (!job.sets.empty())
-            evaluateSets(job, siblingOf(argv[0], "gcpw_stitch"));
-        return code;
+    CommandLine line(TEXTS);
+    Options options;
+    declare(line, options);
+    return runProgram(line, argc, argv,
+                      [&](const Console&)
+                      {
+        try
+        {
+            const Job job = jobOf(options);
+            if (!job.write_inputs.empty())
+                return writeInputs(job.experiment, job.write_inputs);
+            cv::setNumThreads(1); // a worker is a thread: no matter how many there are, each run is the same
+            const int code = job.experiment.pairs.empty() ? static_cast<int>(EXIT_STITCHED) : evaluatePairs(job);
+            if (!job.sets.empty())
+                evaluateSets(job, siblingOf(argv[0], "gcpw_stitch"));
+            return code;
+        }
+        catch (const cv::Exception& error) // no such folder, results of other options
+        {
+            throw WrongUse(error.err.empty() ? error.what() : error.err);
+        }
     });
 }

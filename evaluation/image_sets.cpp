@@ -131,6 +131,8 @@ Cells stitchOne(const ImageSet& set, const std::string& method, const std::strin
     command.insert(command.end(), arguments.begin(), arguments.end());
     command.push_back("--method=" + method);
     command.push_back("--output=" + place + "/panorama.jpg");
+    // The second call writes the picture once more; what is scored is the whole of the largest panorama.
+    command.insert(command.end(), {"--force", "--crop=none", "--panoramas=largest"});
     const ChildResult timed = runChild(program, command); // without the dump, which costs time and memory of its own
     SetScore score;
     score.ncc = score.zncc = score.color_difference = std::numeric_limits<double>::quiet_NaN();

@@ -9,10 +9,14 @@
 namespace
 {
 
-const int BANDS = 5;   ///< OpenCV's own
 const int TILE = 1024; ///< px; a multiple of the coarsest band's pixel, so that its grid is the same in all tiles
-const int MARGIN =
-    8 << BANDS; ///< px: a pixel of the coarsest band comes of 4 of its own to each side, and its weight too
+const int MOST_BANDS_OF_TILES = 7; ///< with more, tiles would be mostly margin: the picture is one
+
+/// px: a pixel of the coarsest band comes of 4 of its own to each side, and its weight too.
+int marginOf(int bands)
+{
+    return 8 << bands;
+}
 
 cv::Rect grown(cv::Rect rect, int margin)
 {
@@ -32,9 +36,9 @@ void TiledBlender::feed(cv::InputArray image, cv::InputArray mask, cv::Point cor
     const cv::Rect shown = cv::boundingRect(mask);
     if (shown.empty())
         return;
-    const cv::Rect kept = grown(shown, MARGIN) & cv::Rect(cv::Point(), image.size());
+    const cv::Rect kept = grown(shown, marginOf(bands_)) & cv::Rect(cv::Point(), image.size());
     Part part;
-    image.getMat()(kept).convertTo(part.image, CV_8U);
+    image.getMat()(kept).convertTo(part.image, deep_ ? CV_16S : CV_8U);
     part.mask = mask.getMat()(kept).clone();
     part.corner = corner + kept.tl();
     parts_.push_back(part);
@@ -42,7 +46,7 @@ void TiledBlender::feed(cv::InputArray image, cv::InputArray mask, cv::Point cor
 
 void TiledBlender::blendTile(cv::Rect outer, cv::Mat& picture, cv::Mat& mask) const
 {
-    cv::detail::MultiBandBlender blender(0, BANDS);
+    cv::detail::MultiBandBlender blender(0, bands_);
     blender.prepare(outer);
     for (const Part& part : parts_)
     {
@@ -61,21 +65,22 @@ void TiledBlender::blendTile(cv::Rect outer, cv::Mat& picture, cv::Mat& mask) co
 
 void TiledBlender::blend(cv::InputOutputArray picture, cv::InputOutputArray mask)
 {
-    // cv::Stitcher makes 8 bits of whatever it is given.
-    picture.create(roi_.size(), CV_8UC3);
+    // Whoever blends 8 bits makes such of whatever it is given.
+    picture.create(roi_.size(), deep_ ? CV_16SC3 : CV_8UC3);
     mask.create(roi_.size(), CV_8UC1);
     cv::Mat whole = picture.getMat();
     cv::Mat whole_mask = mask.getMat();
-    for (int y = roi_.y; y < roi_.br().y; y += TILE)
-        for (int x = roi_.x; x < roi_.br().x; x += TILE)
+    const int side = bands_ <= MOST_BANDS_OF_TILES ? TILE : std::max(roi_.width, roi_.height);
+    for (int y = roi_.y; y < roi_.br().y; y += side)
+        for (int x = roi_.x; x < roi_.br().x; x += side)
         {
-            const cv::Rect tile = cv::Rect(x, y, TILE, TILE) & roi_;
-            const cv::Rect outer = grown(tile, MARGIN) & roi_;
+            const cv::Rect tile = cv::Rect(x, y, side, side) & roi_;
+            const cv::Rect outer = grown(tile, marginOf(bands_)) & roi_;
             cv::Mat blended;
             cv::Mat blended_mask;
             blendTile(outer, blended, blended_mask);
             cv::Mat place = whole(tile - roi_.tl());
-            blended(tile - outer.tl()).convertTo(place, CV_8U);
+            blended(tile - outer.tl()).convertTo(place, whole.depth());
             blended_mask(tile - outer.tl()).copyTo(whole_mask(tile - roi_.tl()));
         }
     parts_.clear();

@@ -15,6 +15,11 @@ band reaches. The picture differs by rounding at most. */
 class TiledBlender : public cv::detail::Blender
 {
 public:
+    static const int USUAL_BANDS = 5; ///< OpenCV's own
+
+    /// @param deep images have values up to 8191 instead of 255, and so has the picture: CV_16SC3
+    explicit TiledBlender(int bands = USUAL_BANDS, bool deep = false) : bands_(bands), deep_(deep) {}
+
     void prepare(cv::Rect roi) override;
     void feed(cv::InputArray image, cv::InputArray mask, cv::Point corner) override;
     void blend(cv::InputOutputArray picture, cv::InputOutputArray mask) override;
@@ -22,7 +27,7 @@ public:
 private:
     struct Part
     {
-        cv::Mat image; ///< CV_8UC3
+        cv::Mat image; ///< CV_8UC3, CV_16SC3 if deep
         cv::Mat mask;
         cv::Point corner;
     };
@@ -30,6 +35,8 @@ private:
     /// Blends all parts inside `outer`. @param picture, mask of that size
     void blendTile(cv::Rect outer, cv::Mat& picture, cv::Mat& mask) const;
 
+    int bands_;
+    bool deep_;
     cv::Rect roi_;
     std::vector<Part> parts_;
 };

@@ -3,21 +3,18 @@
 // of this distribution and at http://opencv.org/license.html.
 //
 // Draws panoramas of cv::Stitcher alone and with GCPW side by side, with bent lines in red; see scripts/pictures.
-#include <iostream>
+#include "evaluation/before_after.hpp"
 #include <opencv2/imgcodecs.hpp>
 #include "common/program.hpp"
-#include "evaluation/before_after.hpp"
+#include "common/write_file.hpp"
 
 namespace
 {
 
-const char* const KEYS =
-    "{help h usage ? |               | this text }"
-    "{plain          |               | folder of gcpw_stitch --method=none: panorama.png or .jpg, and its --dump }"
-    "{gcpw           |               | folder of gcpw_stitch: panorama.png or .jpg, its --dump, and --save_model=model.yml.gz }"
-    "{output         | before_after.jpg | the picture }"
-    "{width          | 1280          | of the picture, px }"
-    "{kilobytes      | 300           | a JPEG file is compressed until it is no larger }";
+const CommandLine::Texts TEXTS = {"before_after",
+                                  "Draws panoramas of cv::Stitcher alone and with GCPW side by side.",
+                                  "before_after PHOTOGRAPH.. --plain=FOLDER --gcpw=FOLDER",
+                                  {}};
 
 /// The best quality that fits.
 void writeSmall(const std::string& path, const cv::Mat& picture, int kilobytes)
@@ -39,21 +36,28 @@ void writeSmall(const std::string& path, const cv::Mat& picture, int kilobytes)
 
 int main(int argc, char** argv)
 {
-    const std::string about = "Draws panoramas of cv::Stitcher alone and with GCPW side by side.\n"
-                              "before_after PHOTOGRAPH.. --plain=FOLDER --gcpw=FOLDER";
-    return runProgram("before_after", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
-    {
-        std::vector<std::string> photographs;
-        for (int i = 1; i < argc; ++i)
-            if (argv[i][0] != '-')
-                photographs.emplace_back(argv[i]);
-        const std::string plain = parser.get<std::string>("plain");
-        const std::string gcpw = parser.get<std::string>("gcpw");
-        const std::string output = parser.get<std::string>("output");
+    CommandLine line(TEXTS);
+    std::vector<std::string> photographs;
+    std::string plain;
+    std::string gcpw;
+    std::string output = "before_after.jpg";
+    int width = 1280;
+    int kilobytes = 300;
+    line.arguments(photographs);
+    line.group("Pictures");
+    line.text("--plain", plain, "FOLDER", "of gcpw_stitch --method=none: panorama.png or .jpg, and its --dump");
+    line.text("--gcpw", gcpw, "FOLDER",
+              "of gcpw_stitch: panorama.png or .jpg, its --dump, and --save_model=model.yml.gz");
+    line.text("-o,--output", output, "FILE", "the picture");
+    line.integer("--width", width, {64, 32766, "px"}, "of the picture, px");
+    line.integer("--kilobytes", kilobytes, {1, 1e6}, "a JPEG file is compressed until it is no larger");
+    return runProgram(line, argc, argv,
+                      [&](const Console& console)
+                      {
         if (photographs.size() < 2 || plain.empty() || gcpw.empty())
             throw WrongUse("photographs, --plain and --gcpw are needed; --help lists the options");
-        writeSmall(output, evaluation::beforeAfter(plain, gcpw, photographs, parser.get<int>("width")), parser.get<int>("kilobytes"));
-        std::cout << output << " written\n";
+        writeSmall(output, evaluation::beforeAfter(plain, gcpw, photographs, width), kilobytes);
+        console.tell(output + " written");
         return static_cast<int>(EXIT_STITCHED);
     });
 }

@@ -9,7 +9,8 @@
 #include <opencv2/gcpw.hpp>
 #include <opencv2/imgproc.hpp>
 #include "common/program.hpp"
-#include "common/stitch_setup.hpp"
+#include "common/read_photograph.hpp"
+#include "stitch/setup.hpp"
 
 namespace
 {
@@ -17,11 +18,20 @@ namespace
 typedef cv::detail::ExposureCompensator Compensator;
 using cv::gcpw::Rig;
 
-const char* const KEYS = "{help h usage ? |     | this text }"
-                         "{megapix        | 0.6 | resolution of the comparison, million pixels }"
-                         "{feed_megapix   | 0.1 | resolution of the estimation, million pixels; cv::Stitcher's is 0.1 }"
-                         "{joint          | 1   | 0: only on the plain warp, without the joint alignment }"
-                         "{set            |     | parameters, name=value,name=value; see gcpw::Params }";
+const CommandLine::Texts TEXTS = {
+    "compensators_table",
+    "Prints the RMS colour difference in the overlaps of sets of photographs after exposure compensation.",
+    "compensators_table FOLDER.. [options]",
+    {}};
+
+/// What the command line says.
+struct Options
+{
+    double megapix = 0.6;
+    double feed_megapix = 0.1;
+    int joint = 1;
+    std::string settings;
+};
 
 const int BLUR = 9; ///< px: what is left of misalignment and noise must not count as colour
 
@@ -54,10 +64,12 @@ Set readSet(const std::string& folder, double megapix)
     std::sort(paths.begin(), paths.end());
     std::vector<cv::Mat> images;
     for (const std::string& path : paths)
-        images.push_back(readBgr(path));
+        images.push_back(withoutAlpha(toBytes(readImage(path))));
+    MatchLog log(static_cast<int>(images.size()), {});
     StitchSetup setup;
+    setup.mode = "panorama";
     setup.work_megapix = megapix;
-    const cv::Ptr<cv::Stitcher> stitcher = makeStitcher(setup);
+    const cv::Ptr<cv::Stitcher> stitcher = makeStitcher(setup, log);
     const cv::Stitcher::Status status = stitcher->estimateTransform(images);
     if (status != cv::Stitcher::OK)
         throw WrongUse(folder + ": " + explain(status));
@@ -144,10 +156,10 @@ void printRow(const std::string& name, const Warped& small, const Warped& large,
     std::fflush(stdout);
 }
 
-void printSet(const std::string& folder, const cv::CommandLineParser& parser, const cv::gcpw::Params& params)
+void printSet(const std::string& folder, const Options& options, const cv::gcpw::Params& params)
 {
-    const double megapix = parser.get<double>("megapix");
-    const double zoom = std::sqrt(parser.get<double>("feed_megapix") / megapix);
+    const double megapix = options.megapix;
+    const double zoom = std::sqrt(options.feed_megapix / megapix);
     const std::string name = std::filesystem::path(folder).filename();
     const Set set = readSet(folder, megapix);
     const cv::Ptr<cv::WarperCreator> base = cv::makePtr<cv::SphericalWarper>();
@@ -155,7 +167,7 @@ void printSet(const std::string& folder, const cv::CommandLineParser& parser, co
     const float focal = static_cast<float>(set.cameras[0].focal);
     printRow(name + ", plain warp", warpAll(set, *base, focal, zoom), warpAll(set, *base, focal, 1),
              cv::makePtr<cv::gcpw::GcpwCompensator>(params));
-    if (!parser.get<bool>("joint"))
+    if (options.joint == 0)
         return;
     const Rig rig = cv::gcpw::alignRig(set.images, set.cameras, base, params);
     if (!rig.usable())
@@ -171,19 +183,28 @@ void printSet(const std::string& folder, const cv::CommandLineParser& parser, co
 
 int main(int argc, char** argv)
 {
-    const std::string about = "Prints the RMS colour difference in the overlaps of sets of photographs after exposure compensation.\n"
-                              "compensators_table FOLDER.. [--option=value..]";
-    return runProgram("compensators_table", argc, argv, KEYS, about, [&](const cv::CommandLineParser& parser)
-    {
+    CommandLine line(TEXTS);
+    Options options;
+    std::vector<std::string> folders;
+    line.arguments(folders);
+    line.group("Comparison");
+    line.number("--megapix", options.megapix, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"},
+                "resolution of the comparison, million pixels");
+    line.number("--feed_megapix", options.feed_megapix, {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"},
+                "resolution of the estimation, million pixels; cv::Stitcher's is 0.1");
+    line.integer("--joint", options.joint, {0, 1}, "0: only on the plain warp, without the joint alignment");
+    line.text("--set", options.settings, "NAME=VALUE,..", "parameters; see gcpw::Params");
+    return runProgram(line, argc, argv,
+                      [&](const Console&)
+                      {
         cv::gcpw::Params params;
-        applySettings(parser.get<std::string>("set"), params);
+        applySettings(options.settings, params);
         std::printf("| set |");
         for (const auto& rival : RIVALS)
             std::printf(" %s |", rival.first);
         std::printf(" gcpw |\n|---|---|---|---|---|---|---|\n");
-        for (int i = 1; i < argc; ++i)
-            if (argv[i][0] != '-')
-                printSet(argv[i], parser, params);
-        return 0;
+        for (const std::string& folder : folders)
+            printSet(folder, options, params);
+        return static_cast<int>(EXIT_STITCHED);
     });
 }

@@ -48,7 +48,7 @@ def run(options, pair, method, number):
     out.mkdir(parents=True, exist_ok=True)
     photos = [str(options.out / "inputs" / pair / str(number) / name) for name in ("01.png", "02.png")]
     command = [options.program, *photos, "--method=" + method, f"--output={out}/pano.png", f"--dump={out}", "--view=target",
-               f"--report={out}/report.json", "--threads=1"]
+               f"--report={out}/report.json", "--threads=1", "--force"]
     command += ["--set=" + options.set] if options.set else []
     command += ["--paper"] if options.paper else []
     done = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -15,7 +15,7 @@ from documents import blocks, conclude, documents
 
 PROGRAM = re.compile(r"^(?:\S*/)?(gcpw_\w+)$")
 SCRIPT = re.compile(r"^(?:\./)?(scripts/\w\S*|evaluation/\w+\.py)$")
-KEY = re.compile(r'^ *"\{([^|]*)\|', re.MULTILINE)
+OPTION = re.compile(r'\bline_?\.\w+\(\s*"(-[^"]+)"|^    (?:flag|integer)\("(-[^"]+)"', re.MULTILINE)
 PARAMETER = re.compile(r'^    \{"(\w+)", ', re.MULTILINE)
 LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)\s]*)?\)")
 INLINE = re.compile(r"(?<!`)`([^`\n]+)`(?!`)")
@@ -24,12 +24,21 @@ ANY = "any program"
 ENDS = {"#", "|", "&&", "||", ";", ">"}
 
 
+def options_in(sources):
+    """The options that sources declare, with their letters: `line.text("-o,--output", ..)`."""
+    declared = {name for source in sources for match in OPTION.findall(source.read_text(encoding="utf-8")) for name in match if name}
+    return {name.lstrip("-") for names in declared for name in names.split(",")}
+
+
 def help_of(repository):
-    """Options of each program, by its source."""
+    """Options of each program, by its sources."""
+    apps = repository / "apps"
+    common = options_in(sorted((apps / "common").glob("*.cpp")))
     options = {}
-    for source in sorted((repository / "apps").glob("gcpw_*.cpp")):
-        keys = KEY.findall(source.read_text(encoding="utf-8"))
-        options[source.stem] = {name for key in keys for name in key.split() if not name.startswith("@")}
+    for source in sorted(apps.glob("gcpw_*.cpp")):
+        own = sorted((apps / source.stem.partition("_")[2]).glob("*.cpp"))
+        options[source.stem] = common | options_in([source, *own])
+        assert len(options[source.stem]) > len(common), f"no options are found in {source}"
     for source in sorted((repository / "modules/gcpw/samples").glob("*.cpp")):
         options["gcpw_sample_" + source.stem] = set()
     options[ANY] = set().union(*options.values())

@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "common/held_signals.hpp"
-#include "common/program.hpp"
+#include "common/write_file.hpp"
 #include "scratch_folder.hpp"
 
 namespace

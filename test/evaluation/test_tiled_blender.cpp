@@ -82,6 +82,32 @@ TEST(TiledBlender, its_picture_is_that_of_one_piece)
     EXPECT_EQ(cv::norm(tiled_mask, whole_mask, cv::NORM_INF), 0);
 }
 
+TEST(TiledBlender, sixteen_bits_are_blended_as_eight_are)
+{
+    std::vector<Fed> fed = threePictures();
+    TiledBlender plain;
+    plain.prepare(canvasOf(fed));
+    TiledBlender deep(TiledBlender::USUAL_BANDS, true);
+    deep.prepare(canvasOf(fed));
+    for (const Fed& one : fed)
+    {
+        plain.feed(one.image, one.mask, one.corner);
+        cv::Mat scaled;
+        one.image.convertTo(scaled, CV_16S, 32);
+        deep.feed(scaled, one.mask, one.corner);
+    }
+    cv::Mat blended[2];
+    cv::Mat masks[2];
+    plain.blend(blended[0], masks[0]);
+    deep.blend(blended[1], masks[1]);
+    ASSERT_EQ(blended[1].type(), CV_16SC3);
+    EXPECT_EQ(cv::norm(masks[0], masks[1], cv::NORM_INF), 0);
+    blended[0].convertTo(blended[0], CV_32F);
+    blended[1].convertTo(blended[1], CV_32F, 1.0 / 32);
+    // OpenCV cuts off what is behind the point, in every band: 8 bits come out darker and noisier.
+    EXPECT_LE(cv::norm(blended[0], blended[1], cv::NORM_L1) / (3.0 * static_cast<double>(blended[0].total())), 3);
+}
+
 TEST(TiledBlender, an_image_that_does_not_show_changes_nothing)
 {
     TiledBlender blender;

@@ -9,8 +9,9 @@ import shutil
 import struct
 import subprocess
 import sys
+import zlib
 
-STITCHED, NO_ALIGNMENT, WRONG_USE = 0, 1, 2
+STITCHED, NO_ANSWER, WRONG_USE, FILE_TROUBLE = 0, 1, 2, 3
 
 
 class Bench:
@@ -32,7 +33,11 @@ class Bench:
         return (samples if program.startswith("gcpw_sample_") else programs) / program
 
     def run(self, program, *arguments, expect=STITCHED, says=""):
-        """Runs a program in the scratch folder; its exit code and a word of its messages are checked."""
+        """Runs a program in the scratch folder; its exit code and a word of its messages are checked.
+
+        What is to succeed may replace the files of calls before."""
+        if expect == STITCHED and program in ("gcpw_pair", "gcpw_stitch"):
+            arguments = (*arguments, "--force")
         command = [str(self.place(program)), *map(str, arguments)]
         done = subprocess.run(command, cwd=self.scratch, capture_output=True, text=True, check=False)
         said = done.stdout + done.stderr
@@ -56,9 +61,9 @@ class Bench:
         return self.scratch / name
 
     def keeps(self, names, program, *arguments, says=""):
-        """A call that is refused and leaves the files of these names as they are."""
+        """A call that is refused even by force and leaves the files of these names as they are."""
         before = [self.path(name).read_bytes() for name in names]
-        self.refused(program, *arguments, says=says)
+        self.refused(program, *arguments, "--force", says=says)
         for name, content in zip(names, before):
             self.check(self.path(name).read_bytes() == content, f"{program} {arguments}: {name} was overwritten")
 
@@ -79,10 +84,58 @@ class Bench:
         """A gray picture in which nothing can be matched."""
         self.path(name).write_bytes(b"P5 %d %d 255\n" % (width, height) + b"\x80" * (width * height))
 
+    def pixels(self, name):
+        """(width, height, rows) of a PNG file of 8-bit BGR, by way of Python's own library."""
+        data = self.path(name).read_bytes()
+        place, packed = 8, b""
+        while place < len(data):
+            length, kind = struct.unpack(">I4s", data[place:place + 8])
+            packed += data[place + 8:place + 8 + length] if kind == b"IDAT" else b""
+            place += 12 + length
+        width, height, channels = self.png(name)
+        raw, rows, above = zlib.decompress(packed), [], bytes(width * channels)
+        for y in range(height):
+            start = y * (width * channels + 1)
+            above = unfiltered(raw[start], raw[start + 1:start + 1 + width * channels], above, channels)
+            rows.append(above)
+        return width, height, rows
+
+    def write_ppm(self, name, width, rows):
+        self.path(name).write_bytes(b"P6 %d %d 255\n" % (width, len(rows)) + b"".join(rows))
+
+    def mirror(self, name, mirrored):
+        """A picture with left and right swapped, which matches none."""
+        width, _, rows = self.pixels(name)
+        self.write_ppm(mirrored, width, [b"".join(row[3 * x:3 * x + 3] for x in range(width - 1, -1, -1)) for row in rows])
+
+    def halve(self, name, half):
+        """A picture of half the size: the mean of four pixels each."""
+        width, height, rows = self.pixels(name)
+        means = []
+        for y in range(0, height - 1, 2):
+            a, b = rows[y], rows[y + 1]
+            means.append(bytes((a[i] + a[i + 3] + b[i] + b[i + 3]) // 4 for x in range(0, width - 1, 2) for i in range(3 * x, 3 * x + 3)))
+        self.write_ppm(half, width // 2, means)
+
     def synthetic_pair(self):
         """Paths of two photographs of 800 x 600 px that overlap, with parallax and different exposure."""
         self.run("gcpw_pair", "--synthetic=photos", says="written")
         return "photos/source.png", "photos/target.png"
+
+
+def unfiltered(kind, row, above, channels):
+    """A row of a PNG file without its filter; RFC 2083, chapter 6."""
+    out = bytearray(row)
+    for i, value in enumerate(row):
+        left = out[i - channels] if i >= channels else 0
+        corner = above[i - channels] if i >= channels else 0
+        guess = (0, left, above[i], (left + above[i]) // 2, 0)[kind]
+        if kind == 4:
+            estimate = left + above[i] - corner
+            near = sorted((abs(estimate - one), order, one) for order, one in enumerate((left, above[i], corner)))
+            guess = near[0][2]
+        out[i] = (value + guess) & 255
+    return bytes(out)
 
 
 def main(test):

@@ -104,7 +104,7 @@ def main():
 
     assert "unknown method 'sift'" in evaluate("--methods=sift", code=2)
     assert "--degrees takes" in evaluate("--degrees=0..17", code=2)
-    assert "--inputs lies in 1..5" in evaluate("--inputs=6", code=2)
+    assert "--inputs is a whole number from 1 to 5" in evaluate("--inputs=6", code=2)
     assert "--write_inputs is for pairs" in evaluate("--write_inputs=x", sets, code=2, pairs=False)
     assert "no folder" in evaluate(f"--pairs={SCRATCH}/none", code=2, pairs=False)
     assert "photographs are needed" in evaluate(code=2, pairs=False)

@@ -10,7 +10,7 @@ import resource
 import struct
 import subprocess
 
-from harness import WRONG_USE, main
+from harness import FILE_TROUBLE, main
 
 QUICK = {"gcpw_pair": ("--work_megapix=0.15", "--set=featureMegapix=0.15"),
          "gcpw_stitch": ("--work_megapix=0.15", "--compose_megapix=0.15", "--seam=no")}
@@ -23,7 +23,7 @@ def cut_short(bench, source, target):
     for name, part in (("half.jpg", whole[:len(whole) // 2]), ("tail.jpg", whole[:-2])):
         bench.path(name).write_bytes(part)
         for program in QUICK:
-            bench.refused(program, target, name, "--output=no.png", says=f"{name} is cut short")
+            bench.refused(program, target, name, "--output=no.png", expect=FILE_TROUBLE, says=f"{name} is cut short")
     bench.path("trailer.jpg").write_bytes(whole + b"appended by a camera")
     for program in QUICK:
         bench.run(program, target, "trailer.jpg", *QUICK[program], "--output=pano.png")
@@ -32,7 +32,8 @@ def cut_short(bench, source, target):
 def floating_point(bench, _, target):
     bench.path("float.pfm").write_bytes(b"PF\n40 30\n-1.0\n" + struct.pack("<3600f", *([0.5] * 3600)))
     for program in QUICK:
-        bench.refused(program, "float.pfm", target, "--output=no.png", says="float.pfm has pixels of kind CV_32FC3")
+        bench.refused(program, "float.pfm", target, "--output=no.png", expect=FILE_TROUBLE,
+                      says="float.pfm has pixels of kind CV_32FC3")
 
 
 def no_room(bench, source, target):
@@ -47,14 +48,14 @@ def no_room(bench, source, target):
             # Python ignores the signal of the limit, and so do the programs that it starts like this.
             done = subprocess.run([*call, f"--output={output}"], cwd=bench.scratch, capture_output=True, text=True, check=False,
                                   restore_signals=False, preexec_fn=limit_files)
-            bench.check(done.returncode == WRONG_USE and output in done.stderr, f"{program} {output}: {done.returncode} {done.stderr}")
+            bench.check(done.returncode == FILE_TROUBLE and output in done.stderr, f"{program} {output}: {done.returncode} {done.stderr}")
         bench.check(bench.files() == before, f"{program} leaves {bench.files() - before}")
         if pathlib.Path("/dev/full").exists():
             with open("/dev/full", "w", encoding="utf-8") as full:
                 for arguments in (call[1:], ["--help"]):
-                    done = subprocess.run([call[0], *arguments, "--output=pano.png"], cwd=bench.scratch, stdout=full,
+                    done = subprocess.run([call[0], *arguments, "--output=pano.png", "--force"], cwd=bench.scratch, stdout=full,
                                           stderr=subprocess.PIPE, text=True, check=False)
-                    bench.check(done.returncode == WRONG_USE and "standard output" in done.stderr,
+                    bench.check(done.returncode == FILE_TROUBLE and "standard output" in done.stderr,
                                 f"{program} {arguments}: {done.returncode} {done.stderr}")
 
 

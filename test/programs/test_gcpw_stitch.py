@@ -6,11 +6,12 @@
 
 Usage: test_gcpw_stitch.py PROGRAMS SCRATCH SAMPLES"""
 import json
+import pathlib
 import re
 
-from harness import NO_ALIGNMENT, main
+from harness import FILE_TROUBLE, NO_ANSWER, WRONG_USE, main
 
-QUICK = ("--work_megapix=0.15", "--compose_megapix=0.15", "--seam=dp_color")
+QUICK = ("--work_megapix=0.15", "--compose_megapix=0.15", "--seam=dp_color", "--crop=none")
 REPORT = {"status", "method", "width", "height", "images", "dropped", "decisions", "timings_ms"}
 ALIGNMENT = {"status", "message", "estimations", "folds", "max_displacement_px", "gain_min", "gain_max", "pairs", "timings_ms"}
 
@@ -71,27 +72,90 @@ def reuses_a_model(bench, photos):
 
 
 def refuses_a_model_of_others(bench, photos):
-    """Cameras at another scale, or of other photographs, would give a displaced picture without a word."""
+    """Cameras of other photographs would give a displaced picture without a word."""
     model = bench.path("again.json").read_text(encoding="utf-8")
+    bench.check(all(f'"{key}"' in model for key in ("projection", "image_size", "component")), "the model lacks warper, sizes or order")
     call = (*photos, "gray.pgm", *QUICK, "--output=no.png")
-    bench.refused("gcpw_stitch", *call, "--load_model=again.json", "--work_megapix=0.3", says="--work_megapix")
-    bench.flat_image("small.pgm", 400, 300)
+    bench.flat_image("small.pgm", 400, 400)
     bench.refused("gcpw_stitch", photos[0], "small.pgm", *QUICK, "--output=no.png", "--load_model=again.json", says="another size")
+    bench.refused("gcpw_stitch", *call, "--load_model=again.json", "--warp=fisheye", says="leave out --warp=fisheye")
     component = re.search(r'"component": \[[^]]*\]', model).group()
-    for other, says in (('"component": [ 0, 7 ]', "image 8"), ('"component": [ 0, 1, 0 ]', "component"), ('"component": []', "other images")):
+    for other, says, code in (('"component": [ 0, 7 ]', "photograph 8", WRONG_USE), ('"component": [ 0, 1, 0 ]', "component", FILE_TROUBLE),
+                              ('"component": []', "other photographs", WRONG_USE)):
         bench.path("other.json").write_text(model.replace(component, other), encoding="utf-8")
-        bench.refused("gcpw_stitch", *call, "--load_model=other.json", says=says)
+        bench.refused("gcpw_stitch", *call, "--load_model=other.json", expect=code, says=says)
     # Without a component all images are meant.
     bench.run("gcpw_stitch", *photos, *QUICK, "--output=all.png", "--load_model=other.json")
     bench.check(bench.same_bytes("pano.png", "all.png"), "a model without a component gives another picture")
 
 
+def scales_a_model(bench, photos):
+    """Photographs of another size and the same shape: the same picture, scaled. The resolution of the estimation is the model's."""
+    bench.run("gcpw_stitch", *photos, "gray.pgm", *QUICK, "--work_megapix=0.3", "--output=other.png", "--load_model=model.yml.gz")
+    bench.check(bench.same_bytes("pano.png", "other.png"), "--work_megapix changes the picture of a model")
+    for index, photo in enumerate(photos):
+        bench.halve(photo, f"half{index}.ppm")
+    bench.run("gcpw_stitch", "half0.ppm", "half1.ppm", *QUICK, "--compose_megapix=-1", "--output=halves.png", "--load_model=other.json")
+    bench.run("gcpw_stitch", *photos, *QUICK, "--compose_megapix=0.12", "--output=full.png", "--load_model=other.json")
+    halves, full = bench.png("halves.png"), bench.png("full.png")
+    bench.check(all(abs(a - b) <= 2 for a, b in zip(halves, full)), f"photographs of half the size give {halves}, not {full}")
+
+
 def keeps_what_it_reads(bench, photos):
-    for options in ((f"--output={photos[1]}",), (f"--report={photos[0]}",), (f"--save_model={photos[0]}",), ("--dump=photos",),
-                    ("--load_model=model.yml.gz", "--save_model=model.yml.gz")):
+    for options in ((f"--output={photos[1]}",), ("--dump=photos",), ("--load_model=model.yml.gz", "--save_model=model.yml.gz")):
         bench.keeps((*photos, "model.yml.gz"), "gcpw_stitch", *photos, *QUICK, *options, says="overwrit")
-    bench.flat_image("tiny.pgm", 1, 1)
-    bench.refused("gcpw_stitch", *photos, "tiny.pgm", "--output=no.png", says="tiny.pgm is 1 x 1 px")
+
+
+def takes_folders_lists_and_patterns(bench, photos):
+    """The same photographs, named in four ways: the same picture. A bad one among them is left out if the caller says so."""
+    bench.path("many").mkdir()
+    for index, photo in enumerate(photos):
+        bench.path(f"many/IMG_{9 + index}.png").write_bytes(bench.path(photo).read_bytes())
+    bench.path("many/notes.txt").write_text("no picture", encoding="utf-8")
+    bench.path("lists").mkdir()
+    bench.path("lists/list.txt").write_text("# two\n\n../many/IMG_9.png\n../many/IMG_10.png\n", encoding="utf-8")
+    bench.run("gcpw_stitch", *photos, *QUICK, "--output=named.png")
+    for index, arguments in enumerate((("many",), ("many/*.png",), ("@lists/list.txt",), ("--list", "lists/list.txt"))):
+        bench.run("gcpw_stitch", *arguments, *QUICK, f"--output=way{index}.png")
+        bench.check(bench.same_bytes("named.png", f"way{index}.png"), f"{arguments} are other photographs")
+    bench.path("many/IMG_8.png").write_text("no picture", encoding="utf-8")
+    bench.refused("gcpw_stitch", "many", *QUICK, "--output=no.png", expect=FILE_TROUBLE, says="IMG_8.png")
+    said = bench.run("gcpw_stitch", "many", *QUICK, "--skip-bad", "--output=skipped.png", says="left out")
+    bench.check("IMG_8.png" in said and bench.same_bytes("named.png", "skipped.png"), f"what is bad is not left out: {said}")
+
+
+def several_panoramas(bench, photos):
+    """Two scenes: a picture of each."""
+    for index, photo in enumerate(photos):
+        bench.mirror(photo, f"mirrored{index}.ppm")
+    bench.run("gcpw_stitch", *photos, "mirrored0.ppm", "gray.pgm", "mirrored1.ppm", *QUICK, "--output=scene.png", says="dropped gray.pgm")
+    bench.check(bench.png("scene.png") is not None and bench.png("scene-2.png") is not None, "two scenes do not give two pictures")
+    bench.path("scene-2.png").unlink()
+    bench.run("gcpw_stitch", *photos, "mirrored0.ppm", "mirrored1.ppm", *QUICK, "--output=scene.png", "--panoramas=largest")
+    bench.check(not bench.path("scene-2.png").exists(), "--panoramas=largest writes two")
+
+
+def crops(bench, photos):
+    bench.run("gcpw_stitch", *photos, *QUICK, "--output=whole.png")
+    bench.run("gcpw_stitch", *photos, *QUICK, "--crop=auto", "--output=inner.png")
+    whole, inner = bench.png("whole.png"), bench.png("inner.png")
+    bench.check(inner[0] <= whole[0] and inner[1] < whole[1] and inner[0] > 0.8 * whole[0], f"{whole} is cropped to {inner}")
+    bench.run("gcpw_stitch", *photos, "--preview", "--crop=none", "--output=preview.png")
+    bench.check(bench.png("preview.png")[0] < 800, f"a preview is {bench.png('preview.png')}")
+
+
+def detailed(bench, photos):
+    """What OpenCV's stitching_detailed takes."""
+    for options in (("--mode=panorama", "--matcher=homography", "--estimator=homography", "--ba=ray", "--ba_refine_mask=x_xxx",
+                     "--wave_correct=vert", "--try_cuda=no"),
+                    ("--expos_comp=gain_blocks", "--expos_comp_nr_feeds=2", "--expos_comp_nr_filtering=1", "--expos_comp_block_size=16"),
+                    ("--expos_comp=no",), ("--blend_strength=1",), ("--blend=feather", "--blend_strength=5"), ("--features=orb",),
+                    ("--warp=paniniPortraitA2B1", "--rangewidth=1"), ("--mode=scans", "--matcher=affine", "--estimator=affine")):
+        bench.run("gcpw_stitch", *photos, *QUICK, *options, "--output=detailed.png")
+    bench.run("gcpw_stitch", *photos, *QUICK, "--save_graph=graph.dot", "--timelapse=as_is", "--output=pano.png")
+    bench.check("graph matches_graph" in bench.path("graph.dot").read_text(encoding="utf-8"), "there is no graph of matches")
+    frames = [bench.png(f"fixed_{pathlib.Path(photo).name}") for photo in photos]
+    bench.check(frames[0] == frames[1] == bench.png("pano.png"), f"frames are {frames}")
 
 
 def plain_pipeline(bench, photos):
@@ -106,22 +170,8 @@ def plain_pipeline(bench, photos):
     bench.check(bench.same_bytes("none.png", "rough.png"), "without a refinement the picture is not OpenCV's own")
 
 
-def refuses(bench, photos):
-    bench.path("text.jpg").write_text("not a picture", encoding="utf-8")
-    bench.path("bad.yml").write_text("%YAML:1.0\n---\nkind: something\n", encoding="utf-8")
-    out = ("--output=no.png", "--dump=no")
-    for arguments, says in (((), "two photographs"), (photos[:1], "two photographs"), ((photos[0], "missing.png"), "missing.png"),
-                            ((photos[0], "text.jpg"), "text.jpg"), ((*photos, "--method=best"), "gcpw, none"),
-                            ((*photos, "--warp=ball"), "spherical"), ((*photos, "--mode=map"), "scans"),
-                            ((*photos, "--ba=ray"), "--mode=panorama"), ((*photos, "--wave_correct=no"), "--mode=panorama"),
-                            ((*photos, "--seams=no"), "--seams"), ((*photos, "--reference=3"), "--reference"),
-                            ((*photos, "--work_megapix=-1"), "--work_megapix"), ((*photos, "--work_megapix=1e-9"), "at least 0.0001"),
-                            ((*photos, "--set=meshCols=1"), "meshCols"),
-                            ((*photos, "--load_model=missing.yml"), "missing.yml"), ((*photos, "--load_model=bad.yml"), "bad.yml"),
-                            ((*photos, "--method=none", "--save_model=no.yml"), "--method=gcpw")):
-        bench.refused("gcpw_stitch", *arguments, *out, says=says)
-    bench.refused("gcpw_stitch", *photos, *QUICK, "--output=no_such_folder/pano.png", says="no_such_folder/pano.png")
-    bench.refused("gcpw_stitch", photos[0], "gray.pgm", *out, expect=NO_ALIGNMENT, says="match")
+def no_answer(bench, photos):
+    bench.refused("gcpw_stitch", photos[0], "gray.pgm", "--output=no.png", "--dump=no", expect=NO_ANSWER, says="match")
     bench.run("gcpw_stitch", "--help", says="--save_model")
 
 
@@ -133,9 +183,9 @@ def test(bench):
     dumps(bench)
     reuses_a_model(bench, photos)
     refuses_a_model_of_others(bench, photos)
-    keeps_what_it_reads(bench, photos)
-    plain_pipeline(bench, photos)
-    refuses(bench, photos)
+    for part in (scales_a_model, keeps_what_it_reads, plain_pipeline, takes_folders_lists_and_patterns, several_panoramas, crops, detailed,
+                 no_answer):
+        part(bench, photos)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 """The samples of the module: they stitch, and refuse what they cannot.
 
 Usage: test_tutorials.py PROGRAMS SCRATCH SAMPLES"""
-from harness import NO_ALIGNMENT, main
+from harness import NO_ANSWER, main
 
 
 def test(bench):
@@ -22,7 +22,7 @@ def test(bench):
         bench.refused(program, photos[0], "no.png", says=f"{usage} PANORAMA")
         bench.refused(program, photos[0], "text.jpg", "no.png", says="cannot read text.jpg")
         bench.refused(program, "text.jpg", photos[0], "no.png", says="cannot read text.jpg")
-        bench.refused(program, photos[0], "gray.pgm", "no.png", expect=NO_ALIGNMENT)
+        bench.refused(program, photos[0], "gray.pgm", "no.png", expect=NO_ANSWER)
         bench.refused(program, *photos, "no_such_folder/pano.png", says="cannot write no_such_folder/pano.png")
 
 

@@ -188,6 +188,27 @@ TEST(Gcpw_ColorField, a_picture_has_the_colours_of_the_definition)
     }
 }
 
+TEST(Gcpw_ColorField, a_picture_of_16_bits_has_the_colours_of_one_of_8_between_its_steps)
+{
+    const Mat grid = linearGrid();
+    Mat bytes(30, 40, CV_8UC3);
+    RNG(7).fill(bytes, RNG::UNIFORM, 60, 150); // away from both ends, where each is clipped
+    Mat deep;
+    bytes.convertTo(deep, CV_16U, 257);
+    deep += Scalar::all(100);
+    const GridPosition position = [](Point p) { return Point2f(p.x * 0.1F, p.y * 0.1F); };
+    ColorField(grid).apply(bytes, Mat(), position);
+    ColorField(grid).apply(deep, Mat(), position);
+    Mat difference;
+    Mat expected;
+    bytes.convertTo(expected, CV_32F, 257);
+    deep.convertTo(difference, CV_32F);
+    difference -= expected;
+    // A step of 8 bits is 257; the 100 on top are gained by 1 to 1.5 of each channel of YCrCb.
+    EXPECT_GT(cv::mean(difference)[0], 80);
+    EXPECT_LT(cv::norm(difference, NORM_INF), 129 + 250);
+}
+
 TEST(Gcpw_ColorField, a_gray_picture_has_the_lightness_of_the_gray_colour)
 {
     Mat gray;
@@ -255,10 +276,10 @@ TEST(Gcpw_ColorField, one_thread_and_many_give_the_same_bits)
     EXPECT_EQ(cv::norm(pictures[0], pictures[1], NORM_INF), 0);
 }
 
-TEST(Gcpw_ColorField, what_is_no_8_bit_picture_or_no_grid_is_refused)
+TEST(Gcpw_ColorField, what_is_no_picture_or_no_grid_is_refused)
 {
     const ColorField field(linearGrid());
-    for (const int type : {CV_8UC4, CV_16UC3, CV_32FC1})
+    for (const int type : {CV_8UC4, CV_16SC3, CV_32FC1})
     {
         Mat picture(20, 20, type, Scalar::all(1));
         EXPECT_THROW(field.apply(picture, Mat(), turned), cv::Exception) << type;

@@ -43,6 +43,18 @@ ColorMap bgrMap(const GridValue& value, const Matx33d& bgr_from_ycrcb)
     return map;
 }
 
+/// Of 16 bits, which are 8 bits 257 times: the map's shift is in those.
+void mapPixel(const ColorMap& m, Vec3w& p)
+{
+    const float shift = 257;
+    const float b = p[0];
+    const float g = p[1];
+    const float r = p[2];
+    p = Vec3w(saturate_cast<ushort>(m[0] * b + m[1] * g + m[2] * r + m[3] * shift),
+              saturate_cast<ushort>(m[4] * b + m[5] * g + m[6] * r + m[7] * shift),
+              saturate_cast<ushort>(m[8] * b + m[9] * g + m[10] * r + m[11] * shift));
+}
+
 void mapPixel(const ColorMap& m, Vec3b& p)
 {
     const float b = p[0];
@@ -178,14 +190,17 @@ ColorMap ColorField::at(Point2f quads) const
 
 void ColorField::apply(Mat& picture, const Mat& mask, const GridPosition& position) const
 {
-    CV_CheckType(picture.type(), picture.type() == CV_8UC3 || picture.type() == CV_8UC1, "gcpw: colours are corrected in 8-bit BGR or gray");
+    CV_CheckType(picture.type(), picture.type() == CV_8UC3 || picture.type() == CV_16UC3 || picture.type() == CV_8UC1,
+                 "gcpw: colours are corrected in BGR of 8 or 16 bits, or gray of 8");
     CV_Assert(mask.empty() || (mask.type() == CV_8UC1 && mask.size() == picture.size()));
     parallel_for_(Range(0, picture.rows), [&](const Range& rows)
     {
         for (int y = rows.start; y < rows.end; ++y)
         {
             const uchar* inside = mask.empty() ? nullptr : mask.ptr<uchar>(y);
-            if (picture.channels() == 3)
+            if (picture.type() == CV_16UC3)
+                mapRow(Row<Vec3w>(picture, y, *this, maps_.size(), position), inside, picture.cols);
+            else if (picture.channels() == 3)
                 mapRow(Row<Vec3b>(picture, y, *this, maps_.size(), position), inside, picture.cols);
             else
                 mapRow(Row<uchar>(picture, y, *this, maps_.size(), position), inside, picture.cols);

@@ -36,7 +36,7 @@ public:
 
     Maps are read on every 8th pixel of a row and where the row passes from between some centres to between others, for the
     field bends there; where it runs aslant over small quads, more often. In between they are linear.
-    @param picture CV_8UC3 or CV_8UC1, changed in place. Gray is taken as a colour without hue
+    @param picture CV_8UC3, CV_16UC3 or CV_8UC1, changed in place. Gray is taken as a colour without hue
     @param mask CV_8UC1 of its size: pixels outside stay as they are, and have no position; empty for all pixels
     @param position on the grid */
     void apply(Mat& picture, const Mat& mask, const GridPosition& position) const;

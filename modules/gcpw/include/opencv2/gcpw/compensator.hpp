@@ -57,7 +57,7 @@ public:
     @param index of the image; one without colours leaves the image as it is
     @param corner canvas position of its top-left pixel. Used with a rig only: corner and size then tell the scale of the warper
     that made the image, and the mesh which quad a pixel belongs to
-    @param image CV_8UC3 or CV_8UC1, corrected in place
+    @param image CV_8UC3, CV_8UC1, or, unless the fallback is in use, CV_16UC3; corrected in place
     @param mask used by the fallback only
     @throws cv::Exception if the image is of another type */
     void apply(int index, Point corner, InputOutputArray image, InputArray mask) CV_OVERRIDE;
