@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 //
 // Compares the methods on a folder of pairs, the paper's two experiments, and panoramas with those of OpenCV alone.
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -14,6 +16,7 @@
 #include "evaluation/color_variation.hpp"
 #include "evaluation/contact_sheet.hpp"
 #include "evaluation/experiment.hpp"
+#include "evaluation/external.hpp"
 #include "evaluation/image_sets.hpp"
 #include "evaluation/tables.hpp"
 
@@ -38,6 +41,8 @@ struct Job
     std::vector<std::string> options; ///< what the results depend on
     std::vector<evaluation::ImageSet> sets;
     std::vector<std::string> stitch_options; ///< for gcpw_stitch
+    std::vector<PairMethod> externals;       ///< methods of other programs
+    std::vector<std::string> complaints;     ///< of what was left out
     std::string write_inputs; ///< a folder, or empty: then the experiments are made
     bool fresh = false;
     bool sheets = true;
@@ -52,6 +57,7 @@ struct Options
     std::string methods = "all";
     std::string degrees = "0..16";
     std::string write_inputs;
+    std::string external;
     std::string settings;
     int inputs = evaluation::INPUTS;
     int workers = 0;
@@ -72,6 +78,8 @@ void declare(CommandLine& line, Options& options)
     line.group("Experiment");
     line.text("--methods", options.methods, "NAMES",
               "comma-separated: global, apap, cpw, dfw, mfw, lsh_mfw, ros_mfw, gcpw");
+    line.text("--external", options.external, "NAME:FOLDER,..",
+              "results of other programs, to be compared: see doc/evaluation.md");
     line.text("--degrees", options.degrees, "NUMBERS", "of synthetic colour variation: 0..16, or 0,4,8");
     line.integer("--inputs", options.inputs, {1, evaluation::INPUTS},
                  "score each pair as the median over the first 1..5 inputs, a pixel apart; 1 for a quick look");
@@ -148,11 +156,13 @@ Job jobOf(const Options& options)
     if (options.pairs.empty() && !options.write_inputs.empty())
         throw WrongUse("--write_inputs is for pairs: gcpw_evaluate --pairs=FOLDER --write_inputs=FOLDER");
     if (!options.pairs.empty())
-        experiment.pairs = evaluation::findPairs(options.pairs);
+        experiment.pairs = evaluation::findPairs(options.pairs, job.complaints);
     if (!options.sets.empty())
         job.sets = evaluation::findSets(options.sets);
     experiment.folder = options.out;
     experiment.methods = methodsOf(options.methods);
+    for (const std::string& external : split(options.external))
+        job.externals.push_back(evaluation::externalMethod(external));
     experiment.degrees = degreesOf(options.degrees);
     experiment.inputs = options.inputs;
     experiment.max_megapix = options.max_megapix;
@@ -240,16 +250,37 @@ bool writeSheets(const evaluation::Experiment& experiment, const evaluation::Run
     return all;
 }
 
-int evaluatePairs(const Job& job)
+void complain(const std::vector<std::string>& complaints)
 {
-    const evaluation::Experiment& experiment = job.experiment;
-    evaluation::ResultsFile results(experiment.folder, job.options, job.fresh);
-    const std::vector<std::string> complaints = evaluation::run(experiment, results, showProgress);
     for (const std::string& complaint : complaints)
         std::cerr << "gcpw_evaluate: " << complaint << '\n';
+}
+
+/// Without those of other programs that have no score at all: pairs without one of a method do not enter the means.
+std::vector<const PairMethod*> measured(const std::vector<const PairMethod*>& methods, const evaluation::RunTable& rows)
+{
+    std::set<std::string> scored;
+    for (const auto& row : rows)
+        if (std::isfinite(row.second.zncc))
+            scored.insert(row.first.method);
+    std::vector<const PairMethod*> result;
+    for (const PairMethod* method : methods)
+        if (method->results.empty() || scored.count(method->name))
+            result.push_back(method);
+    return result;
+}
+
+int evaluatePairs(const Job& job)
+{
+    evaluation::Experiment experiment = job.experiment;
+    for (const PairMethod& method : job.externals) // GCPW, which tables compare with the others, stays the last one
+        experiment.methods.insert(experiment.methods.end() - 1, &method);
+    evaluation::ResultsFile results(experiment.folder, job.options, job.fresh);
+    const std::vector<std::string> complaints = evaluation::run(experiment, results, showProgress);
+    complain(complaints);
     const std::string report = experiment.folder + "/report.md";
     const evaluation::RunTable rows = results.rows();
-    writeText(report, evaluation::markdownPage(rows, experiment.methods, experiment.inputs));
+    writeText(report, evaluation::markdownPage(rows, measured(experiment.methods, rows), experiment.inputs));
     std::cout << report << " and results.csv written\n";
     bool whole = complaints.empty();
     if (job.sheets && experiment.degrees.front() == 0)
@@ -258,13 +289,17 @@ int evaluatePairs(const Job& job)
 }
 
 /// @param program path of gcpw_stitch
-void evaluateSets(const Job& job, const std::string& program)
+int evaluateSets(const Job& job, const std::string& program)
 {
     const std::string report = job.experiment.folder + "/sets.md";
     const auto say = [](const std::string& set, const std::string& method)
     { std::cerr << "stitching " << set << (method == "none" ? " with OpenCV alone\n" : " with GCPW\n"); };
-    writeText(report, evaluation::stitchSets(job.sets, program, job.stitch_options, job.experiment.folder, job.fresh, say));
+    std::vector<std::string> complaints;
+    writeText(report, evaluation::stitchSets(job.sets, job.externals, program, job.stitch_options,
+                                             job.experiment.folder, job.fresh, say, complaints));
+    complain(complaints);
     std::cout << report << " and sets.csv written\n";
+    return complaints.empty() ? EXIT_STITCHED : EXIT_NO_ANSWER;
 }
 
 /// The program of this name beside this one.
@@ -293,9 +328,12 @@ int main(int argc, char** argv)
             if (!job.write_inputs.empty())
                 return writeInputs(job.experiment, job.write_inputs);
             cv::setNumThreads(1); // a worker is a thread: no matter how many there are, each run is the same
-            const int code = job.experiment.pairs.empty() ? static_cast<int>(EXIT_STITCHED) : evaluatePairs(job);
+            complain(job.complaints);
+            int code = job.complaints.empty() ? EXIT_STITCHED : EXIT_NO_ANSWER;
+            if (!job.experiment.pairs.empty())
+                code = std::max(code, evaluatePairs(job));
             if (!job.sets.empty())
-                evaluateSets(job, siblingOf(argv[0], "gcpw_stitch"));
+                code = std::max(code, evaluateSets(job, siblingOf(argv[0], "gcpw_stitch")));
             return code;
         }
         catch (const cv::Exception& error) // no such folder, results of other options

@@ -103,9 +103,7 @@ Panorama readAll(const std::string& folder, const Rig& rig, Grid grid)
     const std::vector<WarpedImage> images = readDump(folder);
     if (images.empty())
         CV_Error(cv::Error::StsBadArg, folder + "/corners.csv names no image");
-    cv::Rect canvas = images[0].place;
-    for (const WarpedImage& image : images)
-        canvas |= image.place;
+    const cv::Rect canvas = canvasOf(images);
     cv::Mat covered(canvas.size(), CV_8UC1, cv::Scalar(0));
     for (const WarpedImage& image : images)
         covered(image.place - canvas.tl()).setTo(255, image.mask);

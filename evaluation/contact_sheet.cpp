@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include "evaluation/external.hpp"
 
 namespace evaluation
 {
@@ -55,6 +56,7 @@ struct Entry
     std::string label;
     std::string score;
     PairCanvas canvas;
+    cv::Mat picture; ///< where there is no canvas
 };
 
 /// What all panoramas show: both images, but no more than half a target beyond the target on each side.
@@ -65,6 +67,20 @@ cv::Rect shownFrame(const std::vector<PairCanvas>& canvases, cv::Size target)
         shown |= cv::Rect(-canvas.target_origin, canvas.source.size());
     const cv::Rect limit(-target.width, -target.height / 2, 3 * target.width, 2 * target.height);
     return shown & limit;
+}
+
+/// A row of a picture alone.
+cv::Mat pictureRow(const Entry& entry, cv::Size size)
+{
+    const double scale = std::min({1.0, static_cast<double>(size.width) / entry.picture.cols,
+                                   static_cast<double>(size.height) / entry.picture.rows});
+    cv::Mat picture;
+    cv::resize(entry.picture, picture, cv::Size(), scale, scale, cv::INTER_AREA);
+    cv::Mat row(std::max(TILE, size.height) + MARGIN, LABEL + size.width + PATCHES * (TILE + MARGIN) + MARGIN, CV_8UC3,
+                PAPER);
+    cv::putText(row, entry.label, cv::Point(MARGIN, 24), cv::FONT_HERSHEY_SIMPLEX, 0.6, INK, 1, cv::LINE_AA);
+    picture.copyTo(row(cv::Rect(cv::Point(LABEL, 0), picture.size())));
+    return row;
 }
 
 cv::Mat rowOf(const Entry& entry, cv::Rect shown, const std::vector<cv::Rect>& patches, double scale)
@@ -135,15 +151,27 @@ cv::Mat contactSheet(const Experiment& experiment, const PairFiles& pair, const 
     for (const PairMethod* method : experiment.methods)
     {
         const auto row = rows.find({pair.name, method->name, 0, INPUT_GIVEN});
-        if (row == rows.end() || !std::isfinite(row->second.zncc))
+        const bool picture = row != rows.end() && row->second.status == "picture";
+        if (!picture && (row == rows.end() || !std::isfinite(row->second.zncc)))
             continue;
         Entry entry;
         entry.label = method->label;
-        entry.score = cv::format("zncc %.1f", row->second.zncc);
-        entry.canvas = cv::gcpw::renderPair(
-            cv::gcpw::Alignment::load(alignmentPath(experiment.folder, pair.name, method->name)), source, target);
+        if (!method->results.empty())
+        {
+            const ExternalResult found =
+                readExternal(*method, pair.name, INPUT_GIVEN, source, target, cv::Matx33d::eye());
+            entry.canvas = found.canvas;
+            entry.picture = found.panorama;
+        }
+        else
+            entry.canvas = cv::gcpw::renderPair(
+                cv::gcpw::Alignment::load(alignmentPath(experiment.folder, pair.name, method->name)), source, target);
+        if (!picture)
+        {
+            entry.score = cv::format("zncc %.1f", row->second.zncc);
+            canvases.push_back(entry.canvas);
+        }
         entries.push_back(entry);
-        canvases.push_back(entry.canvas);
     }
     if (entries.empty())
         return cv::Mat();
@@ -153,7 +181,9 @@ cv::Mat contactSheet(const Experiment& experiment, const PairFiles& pair, const 
     const double scale = std::min(1.0, std::min(static_cast<double>(PANORAMA) / shown.width, static_cast<double>(TILE) / shown.height));
     std::vector<cv::Mat> parts;
     for (const Entry& entry : entries)
-        parts.push_back(rowOf(entry, shown, patches, scale));
+        parts.push_back(entry.picture.empty()
+                            ? rowOf(entry, shown, patches, scale)
+                            : pictureRow(entry, {cvRound(shown.width * scale), cvRound(shown.height * scale)}));
     cv::Mat sheet;
     cv::vconcat(parts, sheet);
     return sheet;

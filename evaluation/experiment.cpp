@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 #include "evaluation/color_variation.hpp"
+#include "evaluation/external.hpp"
 
 namespace evaluation
 {
@@ -92,7 +93,8 @@ public:
             {
                 Batch batch = {&pair, input, {}};
                 for (const Task& task : tasksOf(experiment))
-                    if (!results.has({pair.name, task.method->name, task.degree, input}))
+                    if (!task.method->results.empty() ||
+                        !results.has({pair.name, task.method->name, task.degree, input}))
                         batch.tasks.push_back(task);
                 total_ += static_cast<int>(batch.tasks.size());
                 if (!batch.tasks.empty())
@@ -151,7 +153,7 @@ private:
             RunResult result;
             try
             {
-                result = runTask(input, task, key);
+                result = task.method->results.empty() ? runTask(input, task, key) : readTask(input, *task.method, key);
             }
             catch (const cv::Exception& error)
             {
@@ -201,6 +203,31 @@ private:
             addAppearance(alignment, canvas, input, result);
         if (task.degree == 0 && key.input == INPUT_GIVEN)
             alignment.save(alignmentPath(experiment_.folder, key.pair, key.method));
+        return result;
+    }
+
+    /// The same of what another program found.
+    RunResult readTask(Matched& input, const PairMethod& method, const RunKey& key) const
+    {
+        RunResult result;
+        const ExternalResult found =
+            readExternal(method, key.pair, key.input, input.source, input.target, input.matches.target_from_source);
+        result.ncc = result.zncc = std::numeric_limits<double>::quiet_NaN();
+        if (found.canvas.source.empty())
+        {
+            result.status = "picture";
+            return result;
+        }
+        const cv::gcpw::Score score = cv::gcpw::scorePair(found.canvas);
+        result.ncc = score.ncc;
+        result.zncc = score.zncc;
+        if (found.alignment.imageCount() > 0)
+        {
+            result.folds = found.alignment.report().folds;
+            addAppearance(found.alignment, found.canvas, input, result);
+        }
+        else
+            addPictures(imagesOf(found.canvas), result);
         return result;
     }
 

@@ -34,7 +34,8 @@ typedef std::function<void(int done, int total)> RunCallback;
 The matches of an input are found once, on the photographs as they are, and serve all its runs. Methods see the source
 recoloured; what is rendered and scored is the source as it is. Call cv::setNumThreads(1) before, or workers disturb each
 other. A run that throws is a row with status "failed". A pair whose photographs cannot be read or matched
-gets no rows, so that it is tried again once it is mended. Neither keeps the others from being run.
+gets no rows, so that it is tried again once it is mended. Neither keeps the others from being run. Results of other programs are
+read anew each time.
 @return messages of the runs and pairs that failed
 @throws cv::Exception if results cannot be written, workers are fewer than 1, or there are no such inputs */
 std::vector<std::string> run(const Experiment& experiment, ResultsFile& results, const RunCallback& progress);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <tuple>
 #include <opencv2/gcpw/pair.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include "evaluation/appearance.hpp"
@@ -81,8 +82,9 @@ std::string markdownPage(const std::map<Cells, Cells>& rows)
     std::vector<Cells> ordered;
     for (const auto& item : rows)
         ordered.push_back(item.second);
-    std::sort(ordered.begin(), ordered.end(), [](const Cells& a, const Cells& b) // OpenCV alone comes first
-              { return a[0] != b[0] ? a[0] < b[0] : a[1] > b[1]; });
+    std::sort(ordered.begin(), ordered.end(),
+              [](const Cells& a, const Cells& b) // OpenCV alone comes first
+              { return std::make_tuple(a[0], a[1] != "none", a[1]) < std::make_tuple(b[0], b[1] != "none", b[1]); });
     return "# Evaluation of sets\n\n`none` is cv::Stitcher alone. Lower is better for all but the images kept.\n\n## Scores\n\n" +
            scoresTable(ordered) +
            "\n## Appearance\n\nSee doc/evaluation.md. Bend and shape are measured against the base warper, so that OpenCV alone has 0.\n\n" +
@@ -120,6 +122,25 @@ Appearance appearanceOf(const ImageSet& set, const std::string& place, const std
     return appearance;
 }
 
+Cells rowOf(const ImageSet& set, const std::string& method, const SetScore& score, const ChildResult& timed,
+            const Appearance& appearance)
+{
+    Cells row = {set.name,
+                 method,
+                 std::to_string(timed.exit_code),
+                 std::to_string(set.images.size()),
+                 std::to_string(score.images),
+                 std::to_string(score.pairs),
+                 cv::format("%.6f", score.ncc),
+                 cv::format("%.6f", score.zncc),
+                 cv::format("%.6f", score.color_difference),
+                 cv::format("%.2f", timed.seconds),
+                 cv::format("%.2f", timed.cpu_seconds),
+                 cv::format("%.1f", timed.peak_mb)};
+    appendCells(appearance, row);
+    return row;
+}
+
 /// The row of one set by one method.
 Cells stitchOne(const ImageSet& set, const std::string& method, const std::string& program,
                 const std::vector<std::string>& arguments, const std::string& folder)
@@ -149,11 +170,30 @@ Cells stitchOne(const ImageSet& set, const std::string& method, const std::strin
         score = scoreDump(place);
         appearance = appearanceOf(set, place, model);
     }
-    Cells row = {set.name, method, std::to_string(timed.exit_code), std::to_string(set.images.size()), std::to_string(score.images),
-                 std::to_string(score.pairs), cv::format("%.6f", score.ncc), cv::format("%.6f", score.zncc),
-                 cv::format("%.6f", score.color_difference), cv::format("%.2f", timed.seconds),
-                 cv::format("%.2f", timed.cpu_seconds), cv::format("%.1f", timed.peak_mb)};
-    appendCells(appearance, row);
+    return rowOf(set, method, score, timed, appearance);
+}
+
+/// The row of what another program made of a set.
+Cells readOne(const ImageSet& set, const PairMethod& method)
+{
+    const std::string place = method.results + "/" + set.name;
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    ChildResult untimed;
+    untimed.seconds = untimed.cpu_seconds = untimed.peak_mb = unknown;
+    SetScore score;
+    score.ncc = score.zncc = score.color_difference = unknown;
+    Appearance appearance;
+    if (fs::exists(place + "/corners.csv"))
+    {
+        score = scoreDump(place);
+        addPictures(readDump(place), appearance);
+    }
+    else if (!fs::exists(place + "/panorama.png") && !fs::exists(place + "/panorama.jpg"))
+        CV_Error(cv::Error::StsObjectNotFound,
+                 "there is no corners.csv and no panorama.png or panorama.jpg in " + place);
+    Cells row = rowOf(set, method.name, score, untimed, appearance);
+    if (score.images == 0)
+        row[4] = "?"; // how many photographs a picture shows is not known
     return row;
 }
 
@@ -216,23 +256,40 @@ SetScore scoreDump(const std::string& folder)
     return score;
 }
 
-std::string stitchSets(const std::vector<ImageSet>& sets, const std::string& program, const std::vector<std::string>& arguments,
-                       const std::string& folder, bool fresh,
-                       const std::function<void(const std::string& set, const std::string& method)>& progress)
+std::string stitchSets(const std::vector<ImageSet>& sets, const std::vector<PairMethod>& externals,
+                       const std::string& program, const std::vector<std::string>& arguments, const std::string& folder,
+                       bool fresh,
+                       const std::function<void(const std::string& set, const std::string& method)>& progress,
+                       std::vector<std::string>& complaints)
 {
     Cells options;
     for (const std::string& argument : arguments)
         options.push_back(argument.substr(argument.find_first_not_of('-')));
     RowFile file(folder, "sets", allColumns(), KEY_COLUMNS, options, fresh);
+    const auto attempt = [&](const ImageSet& set, const std::string& method, const std::function<Cells()>& make)
+    {
+        try
+        {
+            file.append(make());
+        }
+        catch (const cv::Exception& error)
+        {
+            complaints.push_back(set.name + ", " + method + ": " + error.err);
+        }
+    };
     for (const ImageSet& set : sets)
+    {
         for (const std::string method : {"none", "gcpw"})
         {
             if (file.has({set.name, method}))
                 continue;
             if (progress)
                 progress(set.name, method);
-            file.append(stitchOne(set, method, program, arguments, folder));
+            attempt(set, method, [&] { return stitchOne(set, method, program, arguments, folder); });
         }
+        for (const PairMethod& method : externals)
+            attempt(set, method.name, [&] { return readOne(set, method); });
+    }
     file.sort();
     return markdownPage(file.rows());
 }

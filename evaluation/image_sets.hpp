@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 #include <opencv2/core.hpp>
+#include "evaluation/methods.hpp"
 #include "evaluation/row_file.hpp"
 
 namespace evaluation
@@ -42,14 +43,19 @@ colours untouched), k_corrected.png (the same with its colours corrected) and k_
 SetScore scoreDump(const std::string& folder);
 
 /** @brief Stitches sets with OpenCV alone and with GCPW, and scores both.
+@param externals methods of externalMethod(): of each set in FOLDER/SET what gcpw_stitch --dump would have written is scored; of
+a panorama.png or panorama.jpg alone nothing can be measured
 @param program path of gcpw_stitch  @param arguments further options for both
 @param folder for sets.csv, and for panoramas and dumps in folder/sets; sets that sets.csv has already are left out
 @param progress called before each run
+@param complaints a sentence for each run that failed; it has no row and does not stop the others
 @return Markdown table of all rows
-@throws cv::Exception if the program cannot be run, says wrong use, or leaves no dump */
-std::string stitchSets(const std::vector<ImageSet>& sets, const std::string& program, const std::vector<std::string>& arguments,
-                       const std::string& folder, bool fresh,
-                       const std::function<void(const std::string& set, const std::string& method)>& progress);
+@throws cv::Exception if the table cannot be written */
+std::string stitchSets(const std::vector<ImageSet>& sets, const std::vector<PairMethod>& externals,
+                       const std::string& program, const std::vector<std::string>& arguments, const std::string& folder,
+                       bool fresh,
+                       const std::function<void(const std::string& set, const std::string& method)>& progress,
+                       std::vector<std::string>& complaints);
 
 } // namespace evaluation
 

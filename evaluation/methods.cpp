@@ -156,7 +156,7 @@ std::string pairMethodNames()
 {
     std::string names;
     for (const PairMethod& method : pairMethods())
-        names += (names.empty() ? "" : ", ") + std::string(method.name);
+        names += (names.empty() ? "" : ", ") + method.name;
     return names;
 }
 

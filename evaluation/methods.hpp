@@ -21,10 +21,12 @@ typedef cv::gcpw::Alignment (*AlignFunction)(const cv::Mat& source, const cv::Ma
 /// One system of the comparison.
 struct PairMethod
 {
-    const char* name;   ///< as an option says it
-    const char* label;  ///< as a table says it
+    std::string name;     ///< as an option says it
+    std::string label;    ///< as a table says it
     bool looks_at_pixels; ///< if not, recoloured photographs give the same warp
     AlignFunction align;
+    std::string results =
+        std::string(); ///< folder of what another program found, see readExternal(): then there is no function
 };
 
 /// Every system, from the simplest to GCPW: global, apap, cpw, dfw, mfw, lsh_mfw, ros_mfw, gcpw.

@@ -42,7 +42,7 @@ std::vector<fs::path> subfolders(const std::string& folder)
     return found;
 }
 
-std::vector<PairFiles> findPairs(const std::string& folder)
+std::vector<PairFiles> findPairs(const std::string& folder, std::vector<std::string>& complaints)
 {
     std::vector<PairFiles> pairs;
     for (const fs::path& path : subfolders(folder))
@@ -52,9 +52,10 @@ std::vector<PairFiles> findPairs(const std::string& folder)
         pair.source = fileOfStem(path, "01");
         pair.target = fileOfStem(path, "02");
         if (pair.source.empty() || pair.target.empty())
-            CV_Error(cv::Error::StsObjectNotFound,
-                     path.string() + " holds no pair; it needs photographs 01.* (source) and 02.* (target)");
-        pairs.push_back(pair);
+            complaints.push_back(
+                path.string() + " holds no pair and is left out; it needs photographs 01.* (source) and 02.* (target)");
+        else
+            pairs.push_back(pair);
     }
     if (pairs.empty())
         CV_Error(cv::Error::StsObjectNotFound, folder + " holds no pairs; it needs a folder a pair, each with 01.* and 02.*");

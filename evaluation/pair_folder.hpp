@@ -24,9 +24,10 @@ struct PairFiles
 std::vector<std::filesystem::path> subfolders(const std::string& folder);
 
 /** @brief The pairs of a folder: one folder for each pair, with a photograph 01.* (source) and one 02.* (target).
+@param complaints a sentence for each folder in which a photograph is missing: it is left out
 @return sorted by name
-@throws cv::Exception that names the folder if there is none, it holds no pair, or a photograph is missing */
-std::vector<PairFiles> findPairs(const std::string& folder);
+@throws cv::Exception that names the folder if there is none, or it holds no pair */
+std::vector<PairFiles> findPairs(const std::string& folder, std::vector<std::string>& complaints);
 
 /** @brief Makes a folder and its parents. @throws cv::Exception that names it */
 void makeFolder(const std::string& path);

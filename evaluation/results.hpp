@@ -30,7 +30,8 @@ struct RunKey
 /// What one run gave; its appearance is measured at degree 0 only, the photographs as they are.
 struct RunResult : Appearance
 {
-    std::string status = "ok"; ///< "ok", "rough", "no_alignment" or "failed"; scores are NaN for the last two
+    std::string status =
+        "ok"; ///< "ok", "rough", "no_alignment", "failed", or "picture" of one that cannot be measured; scores are NaN for the last three
     double ncc = 0;
     double zncc = 0;
     int folds = 0;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/stitching/detail/seam_finders.hpp>
+#include "evaluation/likeness.hpp"
 #include "evaluation/spread.hpp"
 
 namespace evaluation
@@ -16,150 +16,18 @@ namespace evaluation
 namespace
 {
 
-const int WINDOW = 15;            ///< px
-const double FLAT = 2;            ///< gray levels: a window with less deviation has no structure
-const double CUT_PIXELS = 0.3e6;  ///< of the largest image, while the cut is found
+const int WINDOW = LIKENESS_WINDOW;
 const size_t MIN_CUT = 20;        ///< px; less says nothing
 const size_t STRETCHES = 20;      ///< the worst place is one of so many parts of a cut
 const size_t MIN_STRETCH = 10;    ///< px
 const double NOISE = 4;           ///< gray levels a pixel: gradients below it are not seen
 
-/// Which image each canvas pixel shows.
-struct Labels
-{
-    cv::Point origin; ///< canvas pixel of the top-left label
-    cv::Mat of;       ///< CV_16SC1, -1 where there is none
-};
-
-Labels emptyLabels(const std::vector<WarpedImage>& images)
-{
-    cv::Rect canvas = images[0].place;
-    for (const WarpedImage& image : images)
-        canvas |= image.place;
-    return {canvas.tl(), cv::Mat(canvas.size(), CV_16SC1, cv::Scalar(-1))};
-}
-
-Labels cut(const std::vector<WarpedImage>& images)
-{
-    double largest = 0;
-    for (const WarpedImage& image : images)
-        largest = std::max(largest, static_cast<double>(image.place.area()));
-    const double scale = std::min(1.0, std::sqrt(CUT_PIXELS / largest));
-    std::vector<cv::UMat> small;
-    std::vector<cv::UMat> parts;
-    std::vector<cv::Point> corners;
-    for (const WarpedImage& image : images)
-    {
-        cv::Mat picture;
-        cv::Mat mask;
-        cv::resize(image.corrected, picture, cv::Size(), scale, scale, cv::INTER_AREA);
-        cv::resize(image.mask, mask, picture.size(), 0, 0, cv::INTER_AREA);
-        picture.convertTo(picture, CV_32F);
-        mask = mask == 255;
-        small.emplace_back();
-        parts.emplace_back();
-        picture.copyTo(small.back());
-        mask.copyTo(parts.back());
-        corners.emplace_back(cvRound(image.place.x * scale), cvRound(image.place.y * scale));
-    }
-    cv::detail::GraphCutSeamFinder(cv::detail::GraphCutSeamFinderBase::COST_COLOR_GRAD).find(small, corners, parts);
-    Labels labels = emptyLabels(images);
-    for (size_t k = 0; k < images.size(); ++k)
-    {
-        cv::Mat part;
-        cv::resize(parts[k], part, images[k].place.size(), 0, 0, cv::INTER_LINEAR);
-        part = (part > 127) & images[k].mask;
-        labels.of(images[k].place - labels.origin).setTo(cv::Scalar(static_cast<double>(k)), part);
-    }
-    return labels;
-}
-
-/// Two images where they share a rectangle of the canvas.
-struct Shared
-{
-    cv::Rect box; ///< canvas
-    cv::Mat a;
-    cv::Mat b;
-    cv::Mat both; ///< 255 where both have whole windows
-};
-
-Shared share(const WarpedImage& a, const WarpedImage& b)
-{
-    Shared result;
-    result.box = a.place & b.place;
-    if (result.box.width < 2 * WINDOW || result.box.height < 2 * WINDOW)
-        return result;
-    const cv::Rect in_a = result.box - a.place.tl();
-    const cv::Rect in_b = result.box - b.place.tl();
-    result.a = a.corrected(in_a);
-    result.b = b.corrected(in_b);
-    cv::erode(a.mask(in_a) & b.mask(in_b), result.both, cv::Mat::ones(WINDOW, WINDOW, CV_8U), cv::Point(-1, -1), 1,
-              cv::BORDER_CONSTANT, cv::Scalar(0));
-    return result;
-}
-
-/// Pixels whose right or lower neighbour shows the other one of two images.
-std::vector<cv::Point> cutPixels(const cv::Mat& labels, const cv::Mat& both, int i, int j)
-{
-    std::vector<cv::Point> pixels;
-    const auto parted = [&](short p, short q) { return (p == i && q == j) || (p == j && q == i); };
-    for (int y = 0; y < labels.rows; ++y)
-        for (int x = 0; x < labels.cols; ++x)
-        {
-            const short own = labels.at<short>(y, x);
-            const bool right = x + 1 < labels.cols && parted(own, labels.at<short>(y, x + 1));
-            const bool below = y + 1 < labels.rows && parted(own, labels.at<short>(y + 1, x));
-            if ((right || below) && both.at<uchar>(y, x))
-                pixels.emplace_back(x, y);
-        }
-    return pixels;
-}
-
-cv::Mat windowMean(const cv::Mat& image)
-{
-    cv::Mat mean;
-    cv::blur(image, mean, cv::Size(WINDOW, WINDOW));
-    return mean;
-}
-
-cv::Mat grayOf(const cv::Mat& bgr)
-{
-    cv::Mat gray;
-    cv::cvtColor(bgr, gray, cv::COLOR_BGR2GRAY);
-    gray.convertTo(gray, CV_64F);
-    return gray;
-}
-
 /// What two images say about each pixel that they share.
-struct Fields
+struct Fields : Likeness
 {
-    cv::Mat structure; ///< CV_64FC1, (1 - zncc) / 2; -1 where a window is flat
-    cv::Mat contrast;  ///< CV_64FC1, geometric mean of both windows' deviations, gray levels; 0 where one is flat
     cv::Mat gradient;  ///< CV_64FC1
     cv::Mat color;     ///< CV_64FC3
 };
-
-void compareStructure(const cv::Mat& a, const cv::Mat& b, Fields& fields)
-{
-    const cv::Mat mean_a = windowMean(a);
-    const cv::Mat mean_b = windowMean(b);
-    const cv::Mat var_a = windowMean(a.mul(a)) - mean_a.mul(mean_a);
-    const cv::Mat var_b = windowMean(b.mul(b)) - mean_b.mul(mean_b);
-    const cv::Mat covariance = windowMean(a.mul(b)) - mean_a.mul(mean_b);
-    fields.structure = cv::Mat(a.size(), CV_64FC1, cv::Scalar(-1));
-    fields.contrast = cv::Mat(a.size(), CV_64FC1, cv::Scalar(0));
-    for (int y = 0; y < a.rows; ++y)
-        for (int x = 0; x < a.cols; ++x)
-        {
-            const double va = var_a.at<double>(y, x);
-            const double vb = var_b.at<double>(y, x);
-            if (!(va > FLAT * FLAT && vb > FLAT * FLAT))
-                continue;
-            const double zncc = covariance.at<double>(y, x) / std::sqrt(va * vb);
-            fields.structure.at<double>(y, x) = 0.5 * (1 - std::min(std::max(zncc, -1.0), 1.0));
-            fields.contrast.at<double>(y, x) = std::sqrt(std::sqrt(va * vb));
-        }
-}
 
 cv::Mat gradientField(const cv::Mat& a, const cv::Mat& b)
 {
@@ -178,10 +46,10 @@ cv::Mat gradientField(const cv::Mat& a, const cv::Mat& b)
 
 Fields fieldsOf(const cv::Mat& a, const cv::Mat& b)
 {
-    Fields fields;
     const cv::Mat gray_a = grayOf(a);
     const cv::Mat gray_b = grayOf(b);
-    compareStructure(gray_a, gray_b, fields);
+    Fields fields;
+    static_cast<Likeness&>(fields) = likenessOf(gray_a, gray_b);
     fields.gradient = gradientField(gray_a, gray_b);
     cv::Mat colors_a, colors_b;
     a.convertTo(colors_a, CV_64F);
@@ -252,22 +120,24 @@ void look(const Shared& shared, const std::vector<cv::Point>& pixels, Cuts& cuts
 
 SeamVisibility seamVisibility(const std::vector<WarpedImage>& images)
 {
+    return images.size() > 1 ? seamVisibility(images, graphCut(images)) : seamVisibility({}, Labels());
+}
+
+SeamVisibility seamVisibility(const std::vector<WarpedImage>& images, const Labels& labels)
+{
     Cuts cuts;
-    if (images.size() > 1)
-    {
-        const Labels labels = cut(images);
-        for (size_t i = 0; i < images.size(); ++i)
-            for (size_t j = i + 1; j < images.size(); ++j)
-            {
-                const Shared shared = share(images[i], images[j]);
-                if (shared.both.empty())
-                    continue;
-                const cv::Mat part = labels.of(shared.box - labels.origin);
-                const std::vector<cv::Point> pixels = cutPixels(part, shared.both, static_cast<int>(i), static_cast<int>(j));
-                if (pixels.size() >= MIN_CUT)
-                    look(shared, pixels, cuts);
-            }
-    }
+    for (size_t i = 0; i < images.size(); ++i)
+        for (size_t j = i + 1; j < images.size(); ++j)
+        {
+            const Shared shared = sharedPart(images[i], images[j]);
+            if (shared.both.empty())
+                continue;
+            const cv::Mat part = labels.of(shared.box - labels.origin);
+            const std::vector<cv::Point> pixels =
+                cutPixels(part, shared.both, static_cast<int>(i), static_cast<int>(j));
+            if (pixels.size() >= MIN_CUT)
+                look(shared, pixels, cuts);
+        }
     SeamVisibility result;
     result.pixels = static_cast<int>(cuts.gradient.size());
     const double none = std::numeric_limits<double>::quiet_NaN();

@@ -4,7 +4,7 @@
 #ifndef GCPW_EVALUATION_SEAM_VISIBILITY_HPP
 #define GCPW_EVALUATION_SEAM_VISIBILITY_HPP
 
-#include "evaluation/warped_image.hpp"
+#include "evaluation/cut.hpp"
 
 namespace evaluation
 {
@@ -25,6 +25,9 @@ struct SeamVisibility
 
 The colours that are shown are compared, where both images have content. The cut is found at 0.3 Mpx for the largest image. */
 SeamVisibility seamVisibility(const std::vector<WarpedImage>& images);
+
+/// The same along a cut that is known.
+SeamVisibility seamVisibility(const std::vector<WarpedImage>& images, const Labels& labels);
 
 } // namespace evaluation
 

@@ -195,7 +195,7 @@ std::string spreadTable(const Runs& runs)
 /// On how many pairs GCPW is ahead of all others, and who is level with it or ahead on the others.
 std::string placeOfGcpw(const Runs& runs)
 {
-    const auto isGcpw = [](const PairMethod* method) { return method->name == std::string("gcpw"); };
+    const auto isGcpw = [](const PairMethod* method) { return method->name == "gcpw"; };
     const auto gcpw = std::find_if(runs.methods().begin(), runs.methods().end(), isGcpw);
     const std::vector<std::string> complete = runs.completePairs(0);
     if (gcpw == runs.methods().end() || complete.empty())
@@ -213,9 +213,9 @@ std::string placeOfGcpw(const Runs& runs)
             const Cell other = runs.cell(pair, *method, 0, &RunResult::zncc);
             if (isAhead(other.scores, own.scores))
                 leaders += (leaders.empty() ? "" : ", ") +
-                           cv::format("%s (by %.0f %%)", method->label, 100 * (own.value / other.value - 1));
+                           cv::format("%s (by %.0f %%)", method->label.c_str(), 100 * (own.value / other.value - 1));
             else if (!isGcpw(method) && !isAhead(own.scores, other.scores))
-                level += (level.empty() ? "" : ", ") + std::string(method->label);
+                level += (level.empty() ? "" : ", ") + method->label;
         }
         ahead += leaders.empty() && level.empty() ? 1 : 0;
         behind += leaders.empty() ? 0 : 1;
@@ -252,8 +252,10 @@ std::string costTable(const Runs& runs)
                     }
                 }
         std::sort(times.begin(), times.end());
-        table += cv::format("| %s | %zu | %d | %d | %.0f | %.0f |\n", method->label, times.size(), folds, folded_runs,
-                            times.empty() ? 0.0 : times[times.size() / 2], times.empty() ? 0.0 : times.back());
+        const bool timed = method->results.empty() && !times.empty(); // what another program took is not known
+        table +=
+            cv::format("| %s | %zu | %d | %d | ", method->label.c_str(), times.size(), folds, folded_runs) +
+            (timed ? cv::format("%.0f | %.0f |\n", times[times.size() / 2], times.back()) : std::string("- | - |\n"));
     }
     return table + "\n";
 }
@@ -298,7 +300,7 @@ std::string appearanceMeans(const Runs& runs)
     std::string table = headOf("mean over pairs", appearanceHeadings());
     for (const PairMethod* method : runs.methods())
     {
-        table += "| " + std::string(method->label) + " |";
+        table += "| " + method->label + " |";
         for (const AppearanceColumn& column : appearanceColumns())
         {
             const std::vector<std::string> pairs = comparedPairs(runs, column.value);

@@ -23,6 +23,14 @@ cv::Mat readPart(const std::string& path, int flags, cv::Size size)
 
 } // namespace
 
+cv::Rect canvasOf(const std::vector<WarpedImage>& images)
+{
+    cv::Rect canvas = images.at(0).place;
+    for (const WarpedImage& image : images)
+        canvas |= image.place;
+    return canvas;
+}
+
 std::vector<WarpedImage> readDump(const std::string& folder)
 {
     std::ifstream corners(folder + "/corners.csv");

@@ -21,6 +21,9 @@ struct WarpedImage
     bool fixed = false; ///< the target of a pair, whose colours stay
 };
 
+/// The smallest rectangle of the canvas that holds all images; there must be one.
+cv::Rect canvasOf(const std::vector<WarpedImage>& images);
+
 /** @brief What gcpw_stitch --dump has written.
 @param folder see scoreDump()
 @throws cv::Exception that names the file if one is missing or does not fit */

@@ -7,6 +7,7 @@
 #include "common/output_plan.hpp"
 #include "common/paths.hpp"
 #include "common/program.hpp"
+#include "report/report.hpp"
 
 using cv::gcpw::Blend;
 using cv::gcpw::Params;
@@ -64,7 +65,9 @@ PairOptions::PairOptions() : line_(TEXTS), work_megapix_(Params().workMegapix)
                "the panorama: .jpg, .png, .tif, .webp, ..; - is standard output, as PNG. Profile and EXIF of the "
                "target go with it");
     declareFormat(line_, job_.format);
-    line_.text("--report", job_.report, "FILE", "JSON file with scores, timings and what happened");
+    line_.text("--report", job_.report, "FOLDER",
+               "for a page that shows the result, index.html, and report.json; a name ending in .json is a file, for "
+               "that alone");
     line_.text("--dump", job_.dump, "FOLDER",
                "for source.png, source_mask.png, target.png, target_mask.png, source_corrected.png, mesh.png and the "
                "alignment, model.yml.gz");
@@ -85,7 +88,7 @@ void PairOptions::planOutputs(Console& console) const
         if (!input->empty())
             plan.reads(*input);
     plan.writesPicture("--output", job_.output);
-    plan.writesFile("--report", job_.report);
+    report::addTo(plan, job_.report);
     plan.writesFolder("--dump", job_.dump);
     plan.check(line_.force);
     if (plan.usesStandardOutput())
@@ -116,8 +119,6 @@ PairJob PairOptions::job(Console& console)
     if (line_.given("--work_megapix"))
         job_.params.workMegapix = work_megapix_;
     applySettings(settings_, job_.params);
-    if (!job_.report.empty() && endingOf(job_.report) != ".json" && !isDevice(job_.report))
-        throw WrongUse("--report=" + job_.report + ": a report is a file that ends in .json");
     planOutputs(console);
     return job_;
 }

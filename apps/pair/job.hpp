@@ -19,7 +19,7 @@ struct PairJob
     std::string render_source; ///< shown in place of the source; empty for the source itself
     std::string output = "pano.png";
     std::string dump;
-    std::string report;    ///< a file ending in .json
+    std::string report;    ///< a folder for a page, or a file ending in .json
     std::string synthetic; ///< folder; then nothing is stitched
     std::string crop = "none";
     cv::gcpw::Blend blend = cv::gcpw::Blend::MULTIBAND;

@@ -47,7 +47,7 @@ const char* stopName(StopReason reason)
 
 } // namespace
 
-std::string reportText(const Report& report, const char* method, const Score* before, const Score* after,
+std::string reportText(const Report& report, const std::string& method, const Score* before, const Score* after,
                        double render_ms)
 {
     Json json;

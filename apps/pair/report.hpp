@@ -9,7 +9,7 @@
 
 /** @brief The JSON of --report.
 @param before, after scores; null where nothing was rendered  @param render_ms wall time of the rendering */
-std::string reportText(const cv::gcpw::Report& report, const char* method, const cv::gcpw::Score* before,
+std::string reportText(const cv::gcpw::Report& report, const std::string& method, const cv::gcpw::Score* before,
                        const cv::gcpw::Score* after, double render_ms);
 
 #endif

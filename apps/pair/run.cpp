@@ -10,6 +10,8 @@
 #include "common/synthetic_pair.hpp"
 #include "common/write_file.hpp"
 #include "pair/report.hpp"
+#include "report/pair_page.hpp"
+#include "report/report.hpp"
 
 using namespace cv::gcpw;
 
@@ -64,11 +66,21 @@ int stitch(const PairJob& job, const Console& console)
     progress.begin(ALIGNING);
     const Alignment alignment = job.method->align(source, target, matches, job.params, progress.callback());
     const Report& report = alignment.report();
+    report::PairRun run;
+    run.program = "gcpw_pair";
+    run.method = job.method->label;
+    run.paths = {job.source, job.target};
+    run.source = shown;
+    run.target = target;
+    run.alignment = alignment;
+    run.view = job.view;
+    run.blend = job.blend;
     if (report.status == Status::NO_ALIGNMENT)
     {
         ProgressLine::erase();
         if (!job.report.empty())
-            writeText(job.report, reportText(report, job.method->name, nullptr, nullptr, 0));
+            report::write(job.report, reportText(report, job.method->name, nullptr, nullptr, 0),
+                          [&] { return pageOf(run); });
         console.warn(report.message);
         return EXIT_NO_ANSWER;
     }
@@ -78,6 +90,8 @@ int stitch(const PairJob& job, const Console& console)
     const PairCanvas canvas = renderPair(alignment, shown, target, job.view);
     progress.show(0.3);
     cv::Mat panorama = blendPair(canvas, job.blend);
+    run.canvas = canvas;
+    run.panorama = panorama;
     render.stop();
     progress.show(0.7);
     // In the target's frame whatever the view: elsewhere pixels have another size, and the score another meaning.
@@ -92,7 +106,10 @@ int stitch(const PairJob& job, const Console& console)
     if (!job.report.empty())
     {
         const Score before = scorePair(renderPair(alignment.rough(), shown, target));
-        writeText(job.report, reportText(report, job.method->name, &before, &after, render.getTimeMilli()));
+        run.zncc = {before.zncc, after.zncc};
+        run.render_ms = render.getTimeMilli();
+        report::write(job.report, reportText(report, job.method->name, &before, &after, run.render_ms),
+                      [&] { return pageOf(run); });
     }
     ProgressLine::erase();
     if (!report.message.empty())

@@ -93,10 +93,15 @@ cv::Mat finished(const cv::Mat& blended, bool deep)
 
 } // namespace
 
+double composeScale(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout)
+{
+    return scaleFor(job.setup.compose_megapix, photographs[static_cast<size_t>(layout.component[0])].image.size());
+}
+
 Warping::Warping(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep)
     : photographs_(photographs), layout_(layout), deep_(deep), cameras_(layout.cameras)
 {
-    scale_ = scaleFor(job.setup.compose_megapix, photographs[static_cast<size_t>(layout.component[0])].image.size());
+    scale_ = composeScale(job, photographs, layout);
     const double aspect = scale_ / layout.work_scale;
     warper_ = layout.warper->create(static_cast<float>(medianFocal(layout.cameras) * aspect));
     for (size_t k = 0; k < cameras_.size(); ++k)

@@ -14,6 +14,7 @@ struct Composition
 {
     cv::Mat picture; ///< CV_8UC3 or CV_16UC3
     cv::Mat shown;   ///< CV_8UC1, not 0 where a photograph shows
+    int turns = 0;   ///< to the right, by 90 degrees, that made it stand
 };
 
 /// Warped photographs at the picture's resolution, one after the other.
@@ -46,6 +47,9 @@ private:
     std::vector<cv::Point> corners_;
     std::vector<cv::Size> sizes_;
 };
+
+/// Pixels of the picture per pixel of the photographs.
+double composeScale(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout);
 
 /** @brief Makes the picture as cv::Stitcher::composePanorama() does, with transparent pixels left out and 16 bits kept.
 @param deep 16 bits

@@ -10,6 +10,7 @@
 #include "common/output_plan.hpp"
 #include "common/paths.hpp"
 #include "common/program.hpp"
+#include "report/report.hpp"
 
 namespace fs = std::filesystem;
 
@@ -95,7 +96,9 @@ void StitchOptions::declareOutputs()
                  "where the photographs are of several scenes: all write one picture each, NAME, NAME-2, ..");
     line_.flag("-p,--preview", job_.preview, "a small picture in a short time");
     declareFormat(line_, job_.format);
-    line_.text("--report", job_.report, "FILE", "JSON file with timings and what happened");
+    line_.text("--report", job_.report, "FOLDER",
+               "for a page that shows the result, index.html, and report.json; a name ending in .json is a file, for "
+               "that alone");
     line_.text("--dump", job_.dump, "FOLDER",
                "for the warped photographs: 000_image.png, 000_corrected.png, 000_mask.png, .., corners.csv");
     line_.text("--save_model", job_.save_model, "FILE",
@@ -167,8 +170,6 @@ void StitchOptions::checkValues() const
         throw WrongUse(cv::format("--match_conf is a number from 0 to 1, or -1; got %g", setup.match_conf));
     if (!job_.gcpw && (!job_.save_model.empty() || !job_.load_model.empty()))
         throw WrongUse("--save_model and --load_model are for --method=gcpw: there is no model without it");
-    if (!job_.report.empty() && endingOf(job_.report) != ".json" && !isDevice(job_.report))
-        throw WrongUse("--report=" + job_.report + ": a report is a file that ends in .json");
     if (!job_.load_model.empty() && !job_.save_graph.empty())
         throw WrongUse("--save_graph needs matches, and with --load_model nothing is matched");
     checkModelName("--save_model", job_.save_model);
@@ -195,7 +196,7 @@ void StitchOptions::planOutputs(Console& console) const
     if (!job_.timelapse.empty())
         for (const std::string& path : job_.paths)
             plan.writesPicture("--timelapse", job_.frameOf(path));
-    plan.writesFile("--report", job_.report);
+    report::addTo(plan, job_.report);
     plan.writesFile("--save_model", job_.save_model);
     plan.writesFile("--save_graph", job_.save_graph);
     plan.writesFolder("--dump", job_.dump);

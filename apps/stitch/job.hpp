@@ -17,7 +17,7 @@ struct StitchJob
     std::vector<std::string> paths; ///< of the photographs, lists and folders expanded
     std::string output = "result.png";
     std::string dump;
-    std::string report; ///< a file ending in .json
+    std::string report; ///< a folder for a page, or a file ending in .json
     std::string save_model;
     std::string load_model;
     std::string save_graph;

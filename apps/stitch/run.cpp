@@ -10,9 +10,11 @@
 #include "common/paths.hpp"
 #include "common/read_all.hpp"
 #include "common/write_file.hpp"
+#include "report/report.hpp"
 #include "stitch/compose.hpp"
 #include "stitch/frames.hpp"
 #include "stitch/model.hpp"
+#include "stitch/page.hpp"
 #include "stitch/report.hpp"
 #include "stitch/two_photographs.hpp"
 
@@ -68,6 +70,7 @@ void standUp(const Photograph& photograph, Composition& composition, std::vector
             "stored upright, and they stand in a column");
     // Turned to the right once, and to the left as often as the note did to the right.
     const int turns = (1 - noted + 4) % 4;
+    composition.turns = turns;
     for (cv::Mat* image : {&composition.picture, &composition.shown})
     {
         if (turns == 1)
@@ -120,7 +123,8 @@ public:
         for (const Photograph& photograph : photographs_)
             paths.push_back(photograph.path);
         if (!job_.report.empty())
-            writeText(job_.report, reportText(job_, paths, layout, stages_, picture.size()));
+            report::write(job_.report, reportText(job_, paths, layout, stages_, picture.size()),
+                          [&] { return pageOf(job_, photographs_, layout, composition, seams_, stages_); });
         for (const std::string& decision : layout.decisions)
             console_.tell(decision);
         if (!layout.ok())
@@ -157,6 +161,7 @@ private:
         if (!job_.timelapse.empty())
             on_warped = [&frames](size_t k, const Warping& warping, const Warping::Warped& warped)
             { frames.write(k, warping, warped); };
+        seams_ = recordSeams(layout);
         Composition composition = compose(job_, photographs_, layout, deep, progress_, on_warped);
         if (layout.turned)
             standUp(photographs_[0], composition, layout.decisions);
@@ -184,6 +189,7 @@ private:
     const Console& console_;
     Laps laps_;
     Stages stages_;
+    cv::Ptr<report::RecordedSeams> seams_; ///< null before, and where two photographs are stitched as a pair
     std::string trouble_;
     std::vector<int> kept_;
 };

@@ -34,7 +34,8 @@ protected:
             cv::imwrite(folder_.path("pairs") + "/" + name + "/01.png", swapped ? target : source);
             cv::imwrite(folder_.path("pairs") + "/" + name + "/02.png", swapped ? source : target);
         }
-        experiment_.pairs = evaluation::findPairs(folder_.path("pairs"));
+        std::vector<std::string> complaints;
+        experiment_.pairs = evaluation::findPairs(folder_.path("pairs"), complaints);
         experiment_.methods = {evaluation::findPairMethod("dfw"), evaluation::findPairMethod("gcpw")};
         experiment_.degrees = {0, 16};
         experiment_.inputs = 1;
@@ -183,12 +184,24 @@ TEST(Evaluation_ContactSheet, the_worst_patch_is_where_the_images_differ)
 TEST(Evaluation_PairFolder, a_folder_without_pairs_is_refused_with_its_name)
 {
     const ScratchFolder folder;
-    EXPECT_THROW(evaluation::findPairs(folder.path("none")), cv::Exception);
-    EXPECT_THROW(evaluation::findPairs(folder.path()), cv::Exception);
+    std::vector<std::string> complaints;
+    EXPECT_THROW(evaluation::findPairs(folder.path("none"), complaints), cv::Exception);
+    EXPECT_THROW(evaluation::findPairs(folder.path(), complaints), cv::Exception);
     folder.write("half/01.png", "");
-    EXPECT_THROW(evaluation::findPairs(folder.path()), cv::Exception);
-    folder.write("half/02.jpg", "");
-    EXPECT_EQ(evaluation::findPairs(folder.path()).size(), 1u);
+    EXPECT_THROW(evaluation::findPairs(folder.path(), complaints), cv::Exception);
+}
+
+TEST(Evaluation_PairFolder, half_a_pair_is_told_and_does_not_stop_the_others)
+{
+    const ScratchFolder folder;
+    for (const char* name : {"half/01.png", "whole/01.png", "whole/02.jpg"})
+        folder.write(name, "");
+    std::vector<std::string> complaints;
+    const std::vector<evaluation::PairFiles> pairs = evaluation::findPairs(folder.path(), complaints);
+    ASSERT_EQ(pairs.size(), 1u);
+    EXPECT_EQ(pairs[0].name, "whole");
+    ASSERT_EQ(complaints.size(), 1u);
+    EXPECT_NE(complaints[0].find("half"), std::string::npos) << complaints[0];
 }
 
 TEST(Evaluation_PairFolder, a_name_that_cannot_stand_in_a_table_is_refused)
@@ -198,7 +211,8 @@ TEST(Evaluation_PairFolder, a_name_that_cannot_stand_in_a_table_is_refused)
         const ScratchFolder folder;
         folder.write(std::string(name) + "/01.png", "");
         folder.write(std::string(name) + "/02.png", "");
-        EXPECT_THROW(evaluation::findPairs(folder.path()), cv::Exception) << name;
+        std::vector<std::string> complaints;
+        EXPECT_THROW(evaluation::findPairs(folder.path(), complaints), cv::Exception) << name;
     }
 }
 

@@ -14,7 +14,8 @@ using evaluation::RunTable;
 const std::vector<const evaluation::PairMethod*> METHODS = {evaluation::findPairMethod("dfw"), evaluation::findPairMethod("ros_mfw"),
                                                             evaluation::findPairMethod("gcpw")};
 
-void add(RunTable& rows, const char* pair, const char* method, int degree, double zncc, int folds = 0, int input = 1)
+void add(RunTable& rows, const char* pair, const std::string& method, int degree, double zncc, int folds = 0,
+         int input = 1)
 {
     RunResult result;
     result.zncc = zncc;

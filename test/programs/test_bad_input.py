@@ -50,7 +50,7 @@ CASES = [
     (STITCH, (A, B, "--conf_thresh=-1"), WRONG_USE, ("--conf_thresh",)),
     (STITCH, (A, B, "--method=none", "--save_model=m.yml"), WRONG_USE, ("--method=gcpw",)),
     (STITCH, (A, B, "--save_model=m.png"), WRONG_USE, ("m.png", ".yml")),
-    (STITCH, (A, B, "--report=folder"), WRONG_USE, ("folder", ".json")),
+    (STITCH, (A, B, "--report=old.yml"), WRONG_USE, ("old.yml", "a folder is needed")),
     # Inputs that cannot be read.
     (PAIR, (A, "missing.png"), FILE_TROUBLE, ("no file missing.png",)),
     (PAIR, (A, "text.jpg"), FILE_TROUBLE, ("text.jpg is no picture",)),
@@ -75,7 +75,7 @@ CASES = [
     (STITCH, (A, B, "--load_model=bad.yml"), FILE_TROUBLE, ("bad.yml",)),
     # Outputs that must not or cannot be written.
     (PAIR, (A, B, f"--output={A}", "--force"), WRONG_USE, (A, "overwritten")),
-    (PAIR, (A, B, f"--report=./photos/../{B}", "--force"), WRONG_USE, (B, ".json")),
+    (PAIR, (A, B, f"--report=./photos/../{B}", "--force"), WRONG_USE, (B, "a folder is needed")),
     (PAIR, (A, B, "--output=linked.png", "--force"), WRONG_USE, ("linked.png", "overwritten")),
     (STITCH, (A, B, "--output=hard.png", "--force"), WRONG_USE, ("hard.png", "overwritten")),
     (PAIR, (A, B, "--dump=photos", "--force"), WRONG_USE, ("--dump=photos", "overwrite")),

@@ -29,6 +29,33 @@ def rows():
         return [{key: value for key, value in row.items() if key not in TIMES} for row in csv.DictReader(file)]
 
 
+def external(score):
+    """Results of other programs: a warp and warped images are scored, a picture is shown, what is broken does not stop the rest."""
+    theirs = SCRATCH / "theirs"
+    for pair in "ab":
+        place = SCRATCH / "pairs" / pair
+        grid = [(x, y) for y in (0, 300, 599) for x in (0, 400, 799)]
+        for method, left in (("warp", pair), ("warped", pair), ("picture", pair)):
+            (theirs / method / left).mkdir(parents=True)
+        (theirs / "warp" / pair / "warp.csv").write_text("".join(f"{x},{y},{x + 1},{y}\n" for x, y in grid), encoding="utf-8")
+        subprocess.run([PROGRAMS / "gcpw_pair", place / "01.png", place / "02.png", "--method=global", "--view=target", f"--dump={theirs}/warped/{pair}",
+                        f"--output={theirs}/picture/{pair}/panorama.png", "--force"], check=True, stdout=subprocess.DEVNULL)
+    (theirs / "warp" / "b" / "warp.csv").write_text("0,0,1,0\n", encoding="utf-8")
+    options = ",".join(f"{name}:{theirs}/{name}" for name in ("warp", "warped", "picture"))
+    said = evaluate("--set=meshCols=16", "--degrees=0", "--inputs=1", "--methods=global,gcpw", f"--external={options}", code=1)
+    assert "b/warp.csv" in said and "no grid" in said, said
+    found = {(row["pair"], row["method"]): row for row in rows() if row["input"] == "1"}
+    assert found["b", "warp"]["status"] == "failed" and found["b", "warped"]["status"] == "ok", found
+    assert float(found["a", "warp"]["zncc"]) > 30 and float(found["a", "warp"]["shape"]) > 0, found["a", "warp"]
+    assert 0.5 < float(found["a", "warped"]["zncc"]) / score["global"] < 2, (found["a", "warped"], score) # at another resolution
+    assert found["a", "picture"]["status"] == "picture" and found["a", "warped"]["bend_p95"] == "", found
+    report = (OUT / "report.md").read_text(encoding="utf-8")
+    assert "| pair | Global | warp | warped | GCPW |" in report, report
+    assert "--external takes NAME:FOLDER" in evaluate("--external=warp", code=2)
+    assert "is taken" in evaluate(f"--external=gcpw:{theirs}", code=2)
+    assert "there is no folder" in evaluate("--external=warp:/no/such", code=2)
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     for name in ("a", "b"):
@@ -82,7 +109,11 @@ def main():
     assert said.count("c/01.png is not an image") == 2, said # the runs, and the sheet
     assert len(rows()) == 2 * 2 * 2
     shutil.rmtree(SCRATCH / "pairs" / "c")
+    (SCRATCH / "pairs" / "half").mkdir()
+    assert "half holds no pair and is left out" in evaluate("--set=meshCols=16", "--degrees=0", "--inputs=1", "--methods=global", code=1)
+    (SCRATCH / "pairs" / "half").rmdir()
 
+    external(score)
     # The inputs can be had as files, for other programs.
     evaluate(f"--write_inputs={SCRATCH}/inputs", "--inputs=2")
     assert sorted(path.relative_to(SCRATCH / "inputs").as_posix() for path in (SCRATCH / "inputs").rglob("*.png")) == \
@@ -101,6 +132,15 @@ def main():
     assert "| street | none | 2 of 2 |" in table and "| street | gcpw | 2 of 2 |" in table, table
     assert "stitching street" not in evaluate(sets, pairs=False)
     assert (OUT / "sets.md").read_text(encoding="utf-8") == table
+
+    # A set that cannot be stitched is told, and the other one stays.
+    broken = SCRATCH / "sets" / "broken"
+    broken.mkdir()
+    shutil.copy(street / "01.png", broken / "01.png")
+    (broken / "02.png").write_bytes((street / "02.png").read_bytes()[:60]) # its head is right
+    said = evaluate(sets, pairs=False, code=1)
+    assert "broken, none" in said and "| street | gcpw | 2 of 2 |" in (OUT / "sets.md").read_text(encoding="utf-8"), said
+    shutil.rmtree(broken)
 
     assert "unknown method 'sift'" in evaluate("--methods=sift", code=2)
     assert "--degrees takes" in evaluate("--degrees=0..17", code=2)
