@@ -228,6 +228,8 @@ StitchJob StitchOptions::job(Console& console)
     if (job_.setup.mode == "scans" && !line_.given("--expos_comp"))
         job_.setup.expos_comp = "no"; // as in OpenCV: scans have one light
     job_.plain_colors = !job_.gcpw || line_.given("--expos_comp");
+    if (!job_.gcpw && !line_.given("--seam"))
+        job_.setup.seam = plainSeam(job_.setup.seam);
     applySettings(settings_, job_.params);
     checkValues();
     for (const std::string& list : lists_)

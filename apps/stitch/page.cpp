@@ -61,7 +61,8 @@ report::Composed plainOf(const StitchJob& job, const std::vector<Photograph>& ph
     const auto bent = layout.warper.dynamicCast<GcpwWarper>();
     plain.warper = bent ? bent->base() : layout.warper;
     plain.compensator = compensatorOf(job.setup);
-    plain.seam_finder = seamFinderOf(job.setup);
+    plain_job.setup.seam = plainSeam(job.setup.seam);
+    plain.seam_finder = seamFinderOf(plain_job.setup);
     const cv::Ptr<report::RecordedSeams> seams = recordSeams(plain);
     ProgressLine silent({}, false);
     const cv::Mat picture = compose(plain_job, photographs, plain, false, silent, {}).picture;

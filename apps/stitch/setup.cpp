@@ -15,6 +15,7 @@
 #ifdef HAVE_OPENCV_XFEATURES2D
 #include <opencv2/xfeatures2d/nonfree.hpp>
 #endif
+#include <opencv2/gcpw/seam_finder.hpp>
 #include "common/exit_code.hpp"
 #include "common/spelling.hpp"
 #include "common/tiled_blender.hpp"
@@ -118,6 +119,7 @@ const Choices<detail::SeamFinder>& seams()
     typedef detail::GraphCutSeamFinder Cut;
     typedef detail::DpSeamFinder Dp;
     static const Choices<S> choices = {
+        {"gcpw", make<S, cv::gcpw::GcpwSeamFinder>()},
         {"no", make<S, detail::NoSeamFinder>()},
         {"voronoi", make<S, detail::VoronoiSeamFinder>()},
         {"gc_color", [] { return cv::Ptr<S>(cv::makePtr<Cut>(detail::GraphCutSeamFinderBase::COST_COLOR)); }},
@@ -285,6 +287,11 @@ cv::Ptr<detail::ExposureCompensator> compensatorOf(const StitchSetup& setup)
         blocks->setBlockSize(setup.expos_comp_block_size, setup.expos_comp_block_size);
     }
     return compensator;
+}
+
+std::string plainSeam(const std::string& seam)
+{
+    return seam == "gcpw" ? "gc_color" : seam;
 }
 
 cv::Ptr<detail::SeamFinder> seamFinderOf(const StitchSetup& setup)

@@ -18,7 +18,7 @@ struct StitchSetup
     std::string features = "sift";
     std::string matcher;   ///< empty: affine for scans, else homography
     std::string estimator; ///< the same
-    std::string seam = "gc_color";
+    std::string seam = "gcpw";
     std::string blend = "multiband";
     std::string expos_comp = "gain_blocks";
     std::string ba; ///< empty: affine for scans, else ray
@@ -55,6 +55,9 @@ cv::gcpw::CameraOptions cameraOptions(const StitchSetup& setup, MatchLog& log);
 cv::Ptr<cv::Stitcher> makeStitcher(const StitchSetup& setup, MatchLog& log);
 
 cv::Ptr<cv::detail::SeamFinder> seamFinderOf(const StitchSetup& setup);
+
+/// The cut that OpenCV alone makes: cv::Stitcher's default in the place of "gcpw".
+std::string plainSeam(const std::string& seam);
 cv::Ptr<cv::detail::ExposureCompensator> compensatorOf(const StitchSetup& setup);
 
 /** @brief The blender of a picture.
