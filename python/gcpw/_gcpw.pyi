@@ -33,6 +33,7 @@ class Params:
     stretchLimit: float
     outsideWeight: float
     straightnessWeight: float
+    distortionPrice: float
     colorSmoothnessWeight: float
     colorRestWeight: float
     sampleStep: int
