@@ -37,7 +37,7 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "${about}\nThis package has the shared l
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libgcpw-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libgcpw${soversion} (= ${deb_version}), libopencv-dev, libopencv-contrib-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libgcpw${soversion} (= ${deb_version}), libopencv-dev, libopencv-contrib-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "${about}\nThis package has headers, files for CMake and pkg-config, and the documents.")
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME gcpw-tools)

@@ -7,7 +7,6 @@ class Gcpw < Formula
   depends_on "cmake" => :build
   depends_on "eigen" => :build
   depends_on "opencv"
-  uses_from_macos "zlib"
 
   def install
     system "cmake", "-S", ".", "-B", "build", "-DBUILD_SHARED_LIBS=ON", "-DGCPW_BUILD_TESTS=OFF",

@@ -15,11 +15,6 @@ write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/gcpwConfigVersion.
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/gcpwConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/gcpwConfigVersion.cmake"
     DESTINATION "${gcpw_config_dir}" COMPONENT dev)
 
-# For pkg-config. A static library does not bring along what it needs, so it is needed by whoever links it.
-set(gcpw_pc_private Requires.private)
-if(NOT BUILD_SHARED_LIBS)
-    set(gcpw_pc_private Requires)
-endif()
 cmake_path(IS_ABSOLUTE CMAKE_INSTALL_LIBDIR gcpw_libdir_is_absolute)
 cmake_path(IS_ABSOLUTE CMAKE_INSTALL_INCLUDEDIR gcpw_includedir_is_absolute)
 set(gcpw_pc_libdir "${CMAKE_INSTALL_LIBDIR}")
