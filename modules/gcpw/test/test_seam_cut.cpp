@@ -86,13 +86,12 @@ TEST(Gcpw_SeamCut, the_cost_is_the_difference_around_a_pixel)
     const Mat cost = seamCost(two.first, two.second, shared);
     EXPECT_EQ(cost.type(), CV_32FC1);
     EXPECT_EQ(cost.size(), shared.size());
-    EXPECT_LE(cv::norm(cost, NORM_INF), 60);
     EXPECT_GT(cost.at<float>(Point(170, 70) - SECOND), 50) << "in its middle";
     EXPECT_GT(cost.at<float>(Point(157, 70) - SECOND), 5) << "3 px beside it";
     EXPECT_LT(cost.at<float>(Point(145, 70) - SECOND), 1) << "15 px beside it";
     // Hidden pixels say nothing, neither where they are nor to their neighbours.
     two.first.mask(thing).setTo(0);
-    EXPECT_LT(cv::norm(seamCost(two.first, two.second, shared), NORM_INF), 60);
+    EXPECT_LT(cv::norm(seamCost(two.first, two.second, shared), NORM_INF), 1);
     EXPECT_EQ(seamCost(two.first, two.second, shared).at<float>(Point(170, 70) - SECOND), 0);
 }
 

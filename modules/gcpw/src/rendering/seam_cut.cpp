@@ -16,7 +16,6 @@ namespace
 {
 
 const double RADIUS = 2;   ///< px, sigma: at 0.1 million pixels half a per cent of the diagonal
-const double WORST = 60;   ///< gray levels: more is no worse, so that one bad pixel does not outweigh a detour
 const double HUE = 0.5;    ///< of a squared difference of Cr and Cb, which is seen less than one of Y
 const double SOBEL = 0.25; ///< turns Sobel's sum into gray levels over 2 px
 /// px around what both share: OpenCV's graph cut looks there for what only one of them has.
@@ -43,6 +42,8 @@ Mat seamCost(const PlacedPicture& first, const PlacedPicture& second, Rect roi)
     cvtColor(Mat(b.image * (1.0 / 255)), ycrcb[1], COLOR_BGR2YCrCb);
     std::vector<Mat> difference;
     split(Mat((ycrcb[0] - ycrcb[1]) * 255), difference);
+    for (Mat& channel : difference)
+        channel = channel.mul(both); // hidden pixels have none, and no edge
     Mat cost =
         difference[0].mul(difference[0]) + HUE * (difference[1].mul(difference[1]) + difference[2].mul(difference[2]));
     for (const Point axis : {Point(1, 0), Point(0, 1)})
@@ -51,12 +52,11 @@ Mat seamCost(const PlacedPicture& first, const PlacedPicture& second, Rect roi)
         Sobel(difference[0], slope, CV_32F, axis.x, axis.y, 3, SOBEL);
         cost += slope.mul(slope);
     }
-    cost = cost.mul(both);
     Mat weight;
     GaussianBlur(cost, cost, Size(), RADIUS);
     GaussianBlur(both, weight, Size(), RADIUS);
     cost /= weight + 1e-6;
-    sqrt(min(cost, WORST * WORST), cost);
+    sqrt(cost, cost);
     return cost.mul(both);
 }
 

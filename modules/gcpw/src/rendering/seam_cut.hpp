@@ -24,7 +24,7 @@ struct PlacedPicture
 
 /** @brief How much a cut between two pictures shows at each pixel, gray levels.
 
-    C = sqrt(min(G * (dY^2 + (dCr^2 + dCb^2) / 2 + |grad dY|^2), 60^2))
+    C = sqrt(G * (dY^2 + (dCr^2 + dCb^2) / 2 + |grad dY|^2))
 
 d is the difference of the pictures and G a Gaussian of 2 px over the pixels that both have. Unlike the difference alone it is small
 only where pictures agree *all around*: between the two pictures of a thing that they show in different places lie pixels that agree by

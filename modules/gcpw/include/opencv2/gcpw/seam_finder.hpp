@@ -20,7 +20,7 @@ struct SharedState;
 /** @brief Cuts between photographs where they agree all around, not only at the cut.
 
 A graph cut as cv::detail::GraphCutSeamFinder's, with another cost: squared differences of light, hue and gradient, averaged over a
-Gaussian of 2 px, at most 60 gray levels each. A thing that two photographs show in different places is left to one of them as a whole,
+Gaussian of 2 px. A thing that two photographs show in different places is left to one of them as a whole,
 where a cut over single pixels finds those that agree by chance and leaves halves. It takes the place of any SeamFinder; attach() puts
 it in the place of cv::Stitcher's default. */
 class CV_EXPORTS GcpwSeamFinder : public cv::detail::PairwiseSeamFinder
