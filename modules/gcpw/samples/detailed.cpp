@@ -46,7 +46,7 @@ int main(int argc, char** argv)
     compensator->feed(corners, warped, masks);
     for (size_t i = 0; i < kept.size(); ++i)
         compensator->apply(static_cast<int>(i), corners[i], warped[i], masks[i]);
-    cv::detail::DpSeamFinder(cv::detail::DpSeamFinder::COLOR).find(warped, corners, masks);
+    cv::gcpw::GcpwSeamFinder().find(warped, corners, masks);
     cv::detail::MultiBandBlender blender;
     blender.prepare(cv::detail::resultRoi(corners, warped));
     for (size_t i = 0; i < kept.size(); ++i)

@@ -120,9 +120,13 @@ TEST(Gcpw_SeamFinder, cuts_every_pair_and_is_refused_what_no_stitcher_gives)
     same.second.mask = two.second.mask.clone();
     cutBetween(same.first, same.second);
     EXPECT_EQ(cv::norm(find(two.second.image, two.second.mask), same.first.mask, NORM_INF), 0);
-    Mat bytes;
-    two.second.image.convertTo(bytes, CV_8U);
-    expectRefused([&] { find(bytes, two.second.mask); }, "CV_32FC3");
+    Mat other;
+    two.second.image.convertTo(other, CV_8U);
+    Mat rounded;
+    other.convertTo(rounded, CV_32F);
+    EXPECT_EQ(cv::norm(find(other, two.second.mask), find(rounded, two.second.mask), NORM_INF), 0);
+    two.second.image.convertTo(other, CV_16S);
+    expectRefused([&] { find(other, two.second.mask); }, "CV_32FC3");
     expectRefused([&] { find(two.second.image, Mat(Size(3, 3), CV_8UC1, Scalar(255))); }, "3 x 3 px");
 }
 

@@ -31,7 +31,8 @@ void GcpwSeamFinder::find(const std::vector<UMat>& src, const std::vector<Point>
     CV_CheckEQ(src.size(), masks.size(), "gcpw: find() takes one mask for each image");
     for (size_t i = 0; i < src.size(); ++i)
     {
-        CV_CheckTypeEQ(src[i].type(), CV_32FC3, "gcpw: find() takes images of type CV_32FC3");
+        CV_CheckType(src[i].type(), src[i].type() == CV_32FC3 || src[i].type() == CV_8UC3,
+                     "gcpw: find() takes images of type CV_32FC3 or CV_8UC3");
         CV_CheckTypeEQ(masks[i].type(), CV_8UC1, "gcpw: find() takes masks of type CV_8UC1");
         if (src[i].size() != masks[i].size())
             CV_Error(Error::StsUnmatchedSizes,
@@ -43,8 +44,14 @@ void GcpwSeamFinder::find(const std::vector<UMat>& src, const std::vector<Point>
 
 void GcpwSeamFinder::findInPair(size_t first, size_t second, Rect)
 {
-    PlacedPicture a{images_[first].getMat(ACCESS_READ), masks_[first].getMat(ACCESS_RW), corners_[first]};
-    PlacedPicture b{images_[second].getMat(ACCESS_READ), masks_[second].getMat(ACCESS_RW), corners_[second]};
+    const auto placed = [&](size_t i)
+    {
+        PlacedPicture picture{Mat(), masks_[i].getMat(ACCESS_RW), corners_[i]};
+        images_[i].getMat(ACCESS_READ).convertTo(picture.image, CV_32F);
+        return picture;
+    };
+    PlacedPicture a = placed(first);
+    PlacedPicture b = placed(second);
     cutBetween(a, b);
 }
 

@@ -30,7 +30,7 @@ public:
     GcpwSeamFinder();
 
     /** @brief Splits what images share, pair by pair.
-    @param src CV_32FC3, BGR in 0..255, as cv::Stitcher gives them
+    @param src CV_32FC3, as cv::Stitcher gives them, or CV_8UC3; BGR in 0..255
     @param corners canvas position of each, px
     @param masks CV_8UC1, 255 inside; afterwards no pixel that two images share is in both
     @throws cv::Exception if the lists differ in length, or images are not of the type named */
