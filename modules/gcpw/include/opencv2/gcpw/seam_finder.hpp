@@ -41,6 +41,9 @@ public:
     Ptr<cv::detail::SeamFinder> fallback() const { return fallback_; }
 
 protected:
+    /// Splits what two of the images given to find() share.
+    /// @param first, second numbers of the images
+    /// @param roi part of the canvas in both; found anew
     void findInPair(size_t first, size_t second, Rect roi) override;
 
 private:
