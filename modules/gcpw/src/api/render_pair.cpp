@@ -136,13 +136,15 @@ PairCanvas renderPair(const Alignment& alignment, InputArray source_input, Input
     PairCanvas canvas;
     Mat map;
     warp(source, shown, roi, canvas.source, canvas.source_mask, map);
-    canvas.source_corrected = corrected(canvas.source, canvas.source_mask, map, image.color, image.full_size);
+    const bool shared_light = view == View::NATURAL && hasColors(image);
+    if (!shared_light)
+        canvas.source_corrected = corrected(canvas.source, canvas.source_mask, map, image.color, image.full_size);
     if (view == View::TARGET)
         place(target.photograph, {-roi.tl(), target_size}, roi.size(), canvas.target, canvas.target_mask);
     else
         warp(target, shown, roi, canvas.target, canvas.target_mask, map);
     canvas.target_corrected = canvas.target;
-    if (view == View::NATURAL && hasColors(image))
+    if (shared_light)
         shareLight(canvas);
     const Point2d middle(0.5 * target_size.width, 0.5 * target_size.height);
     const Matx33d to_canvas = Matx33d(1, 0, -roi.x, 0, 1, -roi.y, 0, 0, 1) * shown.homographyAt(middle);

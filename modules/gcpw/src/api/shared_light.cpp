@@ -22,7 +22,6 @@ const double MAX_AREA = 3e5; ///< px of a picture whose colours are found: light
 /// The part of a canvas that one photograph covers, made smaller.
 struct Reduced
 {
-    Rect part;
     Mat image;
     Mat mask;
     Point corner;
@@ -31,7 +30,7 @@ struct Reduced
 Reduced reduced(const Mat& image, const Mat& mask, Rect part, double scale)
 {
     const Size size(std::max(cvRound(part.width * scale), 1), std::max(cvRound(part.height * scale), 1));
-    Reduced result{part, Mat(), Mat(), Point(cvRound(part.x * scale), cvRound(part.y * scale))};
+    Reduced result{Mat(), Mat(), Point(cvRound(part.x * scale), cvRound(part.y * scale))};
     resize(image(part), result.image, size, 0, 0, INTER_AREA);
     resize(mask(part), result.mask, size, 0, 0, INTER_AREA);
     result.mask = result.mask == 255; // the others are mixed with black

@@ -88,14 +88,6 @@ bool isWorthIt(const Comparison& refined, const Comparison& rough, double ratio)
     return refined.possible && refined.decorrelation <= std::max(share * rough.decorrelation - LEAST_GAIN, ROUNDING);
 }
 
-/// Derivative of a mesh at the middle of a quad, by columns and rows of quads.
-Matx22d derivativeAt(const MeshGrid& mesh, int cell)
-{
-    const Point2d across = mesh.vertex(cell, 1) + mesh.vertex(cell, 3) - mesh.vertex(cell, 0) - mesh.vertex(cell, 2);
-    const Point2d down = mesh.vertex(cell, 2) + mesh.vertex(cell, 3) - mesh.vertex(cell, 0) - mesh.vertex(cell, 1);
-    return Matx22d(across.x, down.x, across.y, down.y) * 0.5;
-}
-
 /// ln(s1 / s2) of the singular values of a map that keeps orientation; that of a map without area is endless.
 double stretchOf(const Matx22d& map)
 {
@@ -112,8 +104,11 @@ double distortionOf(const Problem& problem, const std::vector<ImageState>& state
     for (size_t i = 0; i < states.size(); ++i)
         for (int cell = 0; !problem.images[i].fixed && cell < states[i].mesh.lattice().cellCount(); ++cell)
         {
+            CellPoint middle;
+            middle.cell = cell;
+            middle.weight = bilinearWeights(0.5, 0.5);
             const double stretch =
-                stretchOf(derivativeAt(states[i].mesh, cell) * derivativeAt(problem.images[i].rough, cell).inv());
+                stretchOf(states[i].mesh.jacobian(middle) * problem.images[i].rough.jacobian(middle).inv());
             squares += stretch * stretch;
             quads += 1;
         }

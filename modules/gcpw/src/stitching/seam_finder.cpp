@@ -47,7 +47,9 @@ void GcpwSeamFinder::findInPair(size_t first, size_t second, Rect)
     const auto placed = [&](size_t i)
     {
         PlacedPicture picture{Mat(), masks_[i].getMat(ACCESS_RW), corners_[i]};
-        images_[i].getMat(ACCESS_READ).convertTo(picture.image, CV_32F);
+        picture.image = images_[i].getMat(ACCESS_READ);
+        if (picture.image.depth() != CV_32F)
+            picture.image.convertTo(picture.image, CV_32F);
         return picture;
     };
     PlacedPicture a = placed(first);
