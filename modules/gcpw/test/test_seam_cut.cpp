@@ -51,7 +51,7 @@ int shown(const PlacedPicture& picture, Rect part)
 TEST(Gcpw_SeamCut, afterwards_every_pixel_belongs_to_one_picture)
 {
     Two two;
-    cutBetween(two.first, two.second);
+    cutBetween(two.first, two.second, findGhosts(two.first, two.second));
     const Rect shared = two.first.rect() & two.second.rect();
     const Mat a = two.first.mask(shared);
     const Mat b = two.second.mask(shared - SECOND);
@@ -69,7 +69,7 @@ TEST(Gcpw_SeamCut, a_thing_in_two_places_is_left_to_one_picture_as_a_whole)
     {
         const Rect of_second = of_first + Point(shift, 3);
         Two two(of_first, of_second);
-        cutBetween(two.first, two.second);
+        cutBetween(two.first, two.second, findGhosts(two.first, two.second));
         const Rect both = of_first | of_second;
         const int pixels = shown(two.first, both);
         EXPECT_TRUE(pixels == 0 || pixels == both.area()) << shift << ": " << pixels << " of " << both.area();
@@ -99,7 +99,7 @@ TEST(Gcpw_SeamCut, pictures_apart_stay_as_they_are)
 {
     Two two;
     two.second.corner = Point(SIZE.width, 0);
-    cutBetween(two.first, two.second);
+    cutBetween(two.first, two.second, findGhosts(two.first, two.second));
     EXPECT_EQ(countNonZero(two.first.mask), SIZE.area());
     EXPECT_EQ(countNonZero(two.second.mask), SIZE.area());
 }
@@ -118,7 +118,7 @@ TEST(Gcpw_SeamFinder, cuts_every_pair_and_is_refused_what_no_stitcher_gives)
     Two same = two;
     same.first.mask = two.first.mask.clone();
     same.second.mask = two.second.mask.clone();
-    cutBetween(same.first, same.second);
+    cutBetween(same.first, same.second, findGhosts(same.first, same.second));
     EXPECT_EQ(cv::norm(find(two.second.image, two.second.mask), same.first.mask, NORM_INF), 0);
     Mat other;
     two.second.image.convertTo(other, CV_8U);

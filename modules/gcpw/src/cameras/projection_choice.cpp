@@ -15,7 +15,7 @@ const char* const PLANE = "plane";
 const char* const SPHERE = "spherical";
 const char* const STEREOGRAPHIC = "stereographic";
 
-const double PLANE_STRETCH = 1.5; ///< a view of about 70 degrees, as wide lenses show it
+const double PLANE_STRETCH = 1.9; ///< a view of about 80 degrees, as a lens of 24 mm shows it
 const double SPHERE_STRETCH =
     4; ///< up to 75 degrees from the horizon: nearer to a pole pictures are smeared; before, walls stay upright
 

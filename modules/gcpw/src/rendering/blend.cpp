@@ -17,14 +17,15 @@ namespace gcpw
 namespace
 {
 
-const double SEAM_MEGAPIX = 0.1; ///< graph cut takes seconds at more, and a seam needs no more
+const double SEAM_MEGAPIX = 0.1;  ///< graph cut takes seconds at more, and a seam needs no more
+const double GHOST_MEGAPIX = 0.2; ///< shows signs and lamp posts, which are a few pixels wide there
 const int BANDS = 5;
 
-/// Splits the overlap between the images where they differ least; returns what each of them keeps.
-std::array<Mat, 2> cutSeam(const TwoImages& images, const TwoMasks& masks)
+/// Both pictures, reduced to a number of pixels.
+std::array<PlacedPicture, 2> reduced(const TwoImages& images, const TwoMasks& masks, double megapix)
 {
     const Size full = images[0].size();
-    const double scale = std::min(1.0, std::sqrt(SEAM_MEGAPIX * 1e6 / static_cast<double>(images[0].total())));
+    const double scale = std::min(1.0, std::sqrt(megapix * 1e6 / static_cast<double>(images[0].total())));
     const Size size(std::max(cvRound(full.width * scale), 1), std::max(cvRound(full.height * scale), 1));
     std::array<PlacedPicture, 2> small;
     for (int i = 0; i < 2; ++i)
@@ -34,7 +35,22 @@ std::array<Mat, 2> cutSeam(const TwoImages& images, const TwoMasks& masks)
         image.convertTo(small[i].image, CV_32F);
         resize(masks[i], small[i].mask, size, 0, 0, INTER_NEAREST);
     }
-    cutBetween(small[0], small[1]);
+    return small;
+}
+
+/// Splits the overlap between the images where they differ least; returns what each of them keeps.
+std::array<Mat, 2> cutSeam(const TwoImages& images, const TwoMasks& masks)
+{
+    std::array<PlacedPicture, 2> small = reduced(images, masks, SEAM_MEGAPIX);
+    const std::array<PlacedPicture, 2> larger = reduced(images, masks, GHOST_MEGAPIX);
+    const Size full = images[0].size();
+    const double x_scale = static_cast<double>(small[0].image.cols) / larger[0].image.cols;
+    const double y_scale = static_cast<double>(small[0].image.rows) / larger[0].image.rows;
+    std::vector<Ghost> ghosts = findGhosts(larger[0], larger[1]);
+    for (Ghost& ghost : ghosts)
+        for (Point* place : {&ghost.in_first, &ghost.in_second})
+            *place = Point(cvFloor((place->x + 0.5) * x_scale), cvFloor((place->y + 0.5) * y_scale));
+    cutBetween(small[0], small[1], ghosts);
     // As cv::Stitcher does: a little wider than the seam, so that every pixel belongs to one of them.
     std::array<Mat, 2> kept;
     for (int i = 0; i < 2; ++i)

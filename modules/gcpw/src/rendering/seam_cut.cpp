@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "rendering/seam_cut.hpp"
 
-#include <vector>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/stitching/detail/seam_finders.hpp>
 
@@ -20,6 +19,8 @@ const double HUE = 0.5;    ///< of a squared difference of Cr and Cb, which is s
 const double SOBEL = 0.25; ///< turns Sobel's sum into gray levels over 2 px
 /// px around what both share: OpenCV's graph cut looks there for what only one of them has.
 const int GAP = 12;
+const double GHOST = 12;  ///< gray levels, of a cut through a thing that the pictures show at different places
+const int GHOST_SIZE = 5; ///< px: as far as patches of ghosts are apart, so that those of a thing leave no gap
 
 /// The part of a picture in a rectangle of the canvas; shares its pixels.
 PlacedPicture part(const PlacedPicture& picture, Rect where)
@@ -27,6 +28,15 @@ PlacedPicture part(const PlacedPicture& picture, Rect where)
     const Rect inside = where & picture.rect();
     const Rect own = inside - picture.corner;
     return {picture.image(own), picture.mask(own), inside.tl()};
+}
+
+/// Where a cut would show a thing twice, or not at all: GHOST, else 0. As large as roi.
+Mat ghostCost(const std::vector<Ghost>& ghosts, Rect roi)
+{
+    Mat cost = Mat::zeros(roi.size(), CV_32FC1);
+    for (const Ghost& ghost : ghosts)
+        line(cost, ghost.in_first - roi.tl(), ghost.in_second - roi.tl(), Scalar(GHOST), GHOST_SIZE);
+    return cost;
 }
 
 } // namespace
@@ -60,7 +70,7 @@ Mat seamCost(const PlacedPicture& first, const PlacedPicture& second, Rect roi)
     return cost.mul(both);
 }
 
-void cutBetween(PlacedPicture& first, PlacedPicture& second)
+void cutBetween(PlacedPicture& first, PlacedPicture& second, const std::vector<Ghost>& ghosts)
 {
     const Rect roi = first.rect() & second.rect();
     if (roi.empty())
@@ -71,7 +81,7 @@ void cutBetween(PlacedPicture& first, PlacedPicture& second)
     std::vector<UMat> pictures(2);
     std::vector<UMat> masks(2);
     std::vector<Point> corners(2);
-    const Mat cost = seamCost(first, second, roi);
+    const Mat cost = seamCost(first, second, roi) + ghostCost(ghosts, roi);
     for (int i = 0; i < 2; ++i)
     {
         Mat picture = Mat::zeros(parts[i].image.size(), CV_32FC3);

@@ -4,23 +4,12 @@
 #ifndef OPENCV_GCPW_SEAM_CUT_HPP
 #define OPENCV_GCPW_SEAM_CUT_HPP
 
-#include <array>
-#include <opencv2/core.hpp>
+#include "rendering/ghosts.hpp"
 
 namespace cv
 {
 namespace gcpw
 {
-
-/// A picture at its place on a canvas.
-struct PlacedPicture
-{
-    Mat image; ///< CV_32FC3, BGR in 0..255
-    Mat mask;  ///< CV_8UC1, non-zero inside
-    Point corner;
-
-    Rect rect() const { return {corner, image.size()}; }
-};
 
 /** @brief How much a cut between two pictures shows at each pixel, gray levels.
 
@@ -33,10 +22,14 @@ chance, and a cut that follows them leaves halves of the thing.
 @return CV_32FC1 of the size of roi; 0 where one of them has no pixel */
 Mat seamCost(const PlacedPicture& first, const PlacedPicture& second, Rect roi);
 
-/** @brief Splits what two pictures share: afterwards no pixel is in both masks. Graph cut over seamCost().
+/** @brief Splits what two pictures share: afterwards no pixel is in both masks.
+
+Graph cut over seamCost(), and over the ways between the two places of each ghost: a cut that crosses one shows a thing twice, or not
+at all, however little it shows where it runs.
+@param ghosts of findGhosts()
 
 Nothing happens if they do not overlap. */
-void cutBetween(PlacedPicture& first, PlacedPicture& second);
+void cutBetween(PlacedPicture& first, PlacedPicture& second, const std::vector<Ghost>& ghosts);
 
 } // namespace gcpw
 } // namespace cv

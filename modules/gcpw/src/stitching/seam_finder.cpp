@@ -54,7 +54,7 @@ void GcpwSeamFinder::findInPair(size_t first, size_t second, Rect)
     };
     PlacedPicture a = placed(first);
     PlacedPicture b = placed(second);
-    cutBetween(a, b);
+    cutBetween(a, b, findGhosts(a, b));
 }
 
 } // namespace gcpw

@@ -21,7 +21,8 @@ struct SharedState;
 
 A graph cut as cv::detail::GraphCutSeamFinder's, with another cost: squared differences of light, hue and gradient, averaged over a
 Gaussian of 2 px. A thing that two photographs show in different places is left to one of them as a whole,
-where a cut over single pixels finds those that agree by chance and leaves halves. It takes the place of any SeamFinder; attach() puts
+where a cut over single pixels finds those that agree by chance and leaves halves. Where things are found again at another place of the
+other photograph, a cut between both places costs extra: it would show them twice, or not at all. It takes the place of any SeamFinder; attach() puts
 it in the place of cv::Stitcher's default. */
 class CV_EXPORTS GcpwSeamFinder : public cv::detail::PairwiseSeamFinder
 {
