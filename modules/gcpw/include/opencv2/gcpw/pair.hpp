@@ -74,8 +74,8 @@ and the canvas grows. The natural view shares it out, and both still meet where 
   keeps the area of both together. It is upright halfway between both photographs; quarter turns of a camera held on its side are
   not halved;
 - that of a panorama, where a camera that turned about its vertical axis explains the pair: levelled along the turn, on a plane, or
-  where that enlarges more than 1.5 times, on a sphere. A pixel in its middle is a pixel of the photographs. On a sphere lines that
-  are neither upright nor on the horizon bend, as they do in cv::Stitcher's default;
+  where that enlarges more than 1.9 times (a view of about 80 degrees), on a sphere. A pixel in its middle is a pixel of the
+  photographs. On a sphere lines that are neither upright nor on the horizon bend, as they do in cv::Stitcher's default;
 - the homography all the same.
 
 Colours follow the view. In the target's frame the source takes the light of the target, by the colours of the alignment. In the
