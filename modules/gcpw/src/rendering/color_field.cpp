@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <opencv2/core/hal/intrin.hpp>
 
 namespace cv
 {
@@ -14,11 +16,11 @@ namespace gcpw
 namespace
 {
 
-
 typedef Vec<float, 6> GridValue; ///< gains, then biases, of Y, Cr, Cb
 typedef ColorField::ColorMap ColorMap;
 
-const int STEP = 8;           ///< px between positions and between maps; meshes bend over tens of pixels
+const int STEP = 8;           ///< px between positions; meshes bend over tens of pixels
+const int SPAN = 16;          ///< px between maps, and that are mapped at once
 const float MAX_TWIST = 0.01F; ///< quads^2: a bilinear map along a slanted row is off its chord by a quarter of this times its mixed difference
 
 /// YCrCb as cv::cvtColor has it, without the offset of Cr and Cb, which `offset` puts back.
@@ -55,16 +57,6 @@ void mapPixel(const ColorMap& m, Vec3w& p)
               saturate_cast<ushort>(m[8] * b + m[9] * g + m[10] * r + m[11] * shift));
 }
 
-void mapPixel(const ColorMap& m, Vec3b& p)
-{
-    const float b = p[0];
-    const float g = p[1];
-    const float r = p[2];
-    p = Vec3b(saturate_cast<uchar>(m[0] * b + m[1] * g + m[2] * r + m[3]),
-              saturate_cast<uchar>(m[4] * b + m[5] * g + m[6] * r + m[7]),
-              saturate_cast<uchar>(m[8] * b + m[9] * g + m[10] * r + m[11]));
-}
-
 /// A gray pixel is a colour without hue: what the map makes of it is gray again only as far as Y says.
 void mapPixel(const ColorMap& m, uchar& p)
 {
@@ -73,6 +65,65 @@ void mapPixel(const ColorMap& m, uchar& p)
     const float r = (m[8] + m[9] + m[10]) * p + m[11];
     p = saturate_cast<uchar>(0.114F * b + 0.587F * g + 0.299F * r);
 }
+
+/// Maps pixels along a row, count <= SPAN; the map of pixel k is map + k * slope.
+template <typename Pixel>
+void mapPixels(ColorMap map, const ColorMap& slope, Pixel* pixels, int count)
+{
+    for (int k = 0; k < count; ++k, map += slope)
+        mapPixel(map, pixels[k]);
+}
+
+#if CV_SIMD128
+/// The lower or the upper half of eight numbers.
+v_float32x4 half(const v_uint16x8& numbers, int which)
+{
+    v_uint32x4 low;
+    v_uint32x4 high;
+    v_expand(numbers, low, high);
+    return v_cvt_f32(v_reinterpret_as_s32(which == 0 ? low : high));
+}
+
+void mapPixels(const ColorMap& map, const ColorMap& slope, Vec3b* pixels, int count)
+{
+    uchar buffer[3 * SPAN] = {};
+    uchar* bytes = pixels->val;
+    if (count < SPAN)
+    {
+        std::memcpy(buffer, bytes, 3 * static_cast<size_t>(count));
+        bytes = buffer;
+    }
+    v_uint8x16 bgr[3];
+    v_load_deinterleave(bytes, bgr[0], bgr[1], bgr[2]);
+    v_uint16x8 wide[3][2];
+    for (int c = 0; c < 3; ++c)
+        v_expand(bgr[c], wide[c][0], wide[c][1]);
+    // The maps of four pixels, which a step takes to those of the next four.
+    v_float32x4 maps[12];
+    v_float32x4 steps[12];
+    for (int m = 0; m < 12; ++m)
+    {
+        maps[m] = v_setall_f32(map[m]) + v_float32x4(0, 1, 2, 3) * v_setall_f32(slope[m]);
+        steps[m] = v_setall_f32(4 * slope[m]);
+    }
+    v_int32x4 mapped[3][SPAN / 4] = {};
+    for (int q = 0; 4 * q < count; ++q)
+    {
+        const v_float32x4 b = half(wide[0][q / 2], q % 2);
+        const v_float32x4 g = half(wide[1][q / 2], q % 2);
+        const v_float32x4 r = half(wide[2][q / 2], q % 2);
+        for (int c = 0; c < 3; ++c)
+            mapped[c][q] = v_round(maps[4 * c] * b + maps[4 * c + 1] * g + maps[4 * c + 2] * r + maps[4 * c + 3]);
+        for (int m = 0; m < 12; ++m)
+            maps[m] += steps[m];
+    }
+    for (int c = 0; c < 3; ++c)
+        bgr[c] = v_pack_u(v_pack(mapped[c][0], mapped[c][1]), v_pack(mapped[c][2], mapped[c][3]));
+    v_store_interleave(bytes, bgr[0], bgr[1], bgr[2]);
+    if (count < SPAN)
+        std::memcpy(pixels->val, buffer, 3 * static_cast<size_t>(count));
+}
+#endif
 
 /// Between which quad centres a point lies; -1 and the last one are beyond the outer centres. NaN counts as 0.
 int spanOf(float quads, int count)
@@ -97,11 +148,11 @@ public:
         while (from.x < last)
         {
             // At whole steps, so that neither a mask nor a thread moves the knots.
-            const Knot to = knotAt(std::min((from.x / STEP + 1) * STEP, last));
+            const Knot to = knotAt(std::min((from.x / SPAN + 1) * SPAN, last));
             mapSpan(from, to);
             from = to;
         }
-        mapPixel(from.map, pixels_[last]);
+        mapPixels(from.map, ColorMap(), pixels_ + last, 1);
     }
 
 private:
@@ -125,17 +176,28 @@ private:
     {
         const int count = to.x - from.x;
         const Point2f along = to.at - from.at;
-        if (count > 1 && (from.cell != to.cell || std::abs(along.x * along.y) > MAX_TWIST))
+        const bool twisted = std::abs(along.x * along.y) > MAX_TWIST;
+        const int part = twisted ? count / 2 : std::min({count, bend(from.at.x, along.x, from.cell.x, to.cell.x, count),
+                                                         bend(from.at.y, along.y, from.cell.y, to.cell.y, count)});
+        if (part > 0 && part < count)
         {
-            const Knot middle = knotAt(from.x + count / 2);
+            const Knot middle = knotAt(from.x + part);
             mapSpan(from, middle);
             mapSpan(middle, to);
             return;
         }
-        ColorMap map = from.map;
-        const ColorMap slope = (to.map - from.map) * (1.0F / static_cast<float>(count));
-        for (int x = from.x; x < to.x; ++x, map += slope)
-            mapPixel(map, pixels_[x]);
+        mapPixels(from.map, (to.map - from.map) * (1.0F / static_cast<float>(count)), pixels_ + from.x, count);
+    }
+
+    /// The last pixel before a way of some pixels passes a quad centre, at which the field bends, or the one behind it if that is the
+    /// first one; their number if it passes none.
+    /// @param at, along start and length of the way, quads
+    static int bend(float at, float along, int cell, int last_cell, int count)
+    {
+        if (cell == last_cell)
+            return count;
+        const float centre = static_cast<float>(cell) + (last_cell > cell ? 1.5F : 0.5F);
+        return std::max(1, cvFloor((centre - at) / along * static_cast<float>(count)));
     }
 
     Pixel* pixels_;

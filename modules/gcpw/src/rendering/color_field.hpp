@@ -34,7 +34,7 @@ public:
 
     /** @brief Corrects a picture. The same bits whatever the threads.
 
-    Maps are read on every 8th pixel of a row and where the row passes from between some centres to between others, for the
+    Maps are read on every 16th pixel of a row and where the row passes from between some centres to between others, for the
     field bends there; where it runs aslant over small quads, more often. In between they are linear.
     @param picture CV_8UC3, CV_16UC3 or CV_8UC1, changed in place. Gray is taken as a colour without hue
     @param mask CV_8UC1 of its size: pixels outside stay as they are, and have no position; empty for all pixels
