@@ -33,6 +33,7 @@ stitcher->stitch(photographs, panorama);
 | cameras.hpp | estimateCameras: cameras and projection of a set of photographs, where cv::Stitcher gives up |
 | stitcher.hpp | attach: GCPW inside cv::Stitcher |
 | rig.hpp | Rig: an alignment with its cameras, for many frames |
+| frame_composer.hpp | FrameComposer: panoramas of a rig's frames at the cost of remapping |
 | warper.hpp | GcpwWarper: the meshes of a rig behind any warper |
 | rotation_warper.hpp | GcpwRotationWarper: what GcpwWarper makes; PyGcpwWarper: the same for Python |
 | compensator.hpp | GcpwCompensator: local colours |
@@ -43,6 +44,7 @@ stitcher->stitch(photographs, panorama);
 #include "opencv2/gcpw/alignment.hpp"
 #include "opencv2/gcpw/cameras.hpp"
 #include "opencv2/gcpw/compensator.hpp"
+#include "opencv2/gcpw/frame_composer.hpp"
 #include "opencv2/gcpw/pair.hpp"
 #include "opencv2/gcpw/pair_matches.hpp"
 #include "opencv2/gcpw/params.hpp"

@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "opencv2/gcpw/compensator.hpp"
 
-#include <cmath>
 #include "rendering/color_field.hpp"
 #include "stitching/picture_scale.hpp"
+#include "stitching/rig_colors.hpp"
 #include "stitching/shared_state.hpp"
 #include "model/color_grid.hpp"
 #include "api/estimate_colors.hpp"
@@ -99,22 +99,7 @@ void GcpwCompensator::apply(int index, Point corner, InputOutputArray image, Inp
     const RigModel::Item& item = shared_state_->model->items()[index];
     const Mat& color = joint ? item.image.color : colors_[index];
     const double scale = pictureScale(*shared_state_->model, index, Rect(corner, picture.size()), shared_state_->scales);
-    const PlacedMesh placed = shared_state_->model->place(index, scale);
-    const double x_scale = static_cast<double>(color.cols) / item.image.work_size.width;
-    const double y_scale = static_cast<double>(color.rows) / item.image.work_size.height;
-    // Turned off the seam, the mesh lies on one side of it only.
-    const double period = item.seam_rotation_rad == 0 ? 0 : 2 * CV_PI * scale;
-    const Rect2d bounds = placed.mesh().bounds();
-    const double middle = bounds.x + 0.5 * bounds.width;
-    int hint = -1;
-    const GridPosition position = positionOnNodes(picture.size(), [&](Point2d p)
-    {
-        Point2d canvas = p + Point2d(corner);
-        if (period > 0)
-            canvas.x -= period * std::round((canvas.x - middle) / period);
-        const Point2d at = placed.latticePoint(placed.referenceAt(canvas, hint));
-        return Point2d((at.x + 0.5) * x_scale, (at.y + 0.5) * y_scale);
-    });
+    const GridPosition position = positionOnColors(*shared_state_->model, index, scale, Rect(corner, picture.size()), color.size());
     ColorField(color).apply(picture, Mat(), position);
 }
 
