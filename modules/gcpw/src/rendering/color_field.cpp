@@ -20,8 +20,9 @@ typedef Vec<float, 6> GridValue; ///< gains, then biases, of Y, Cr, Cb
 typedef ColorField::ColorMap ColorMap;
 
 const int STEP = 8;           ///< px between positions; meshes bend over tens of pixels
-const int SPAN = 16;          ///< px between maps, and that are mapped at once
-const float MAX_TWIST = 0.01F; ///< quads^2: a bilinear map along a slanted row is off its chord by a quarter of this times its mixed difference
+const int SPAN = 32;          ///< px between maps, at most
+const int LANES = 16;         ///< px that are mapped at once
+const float MAX_TWIST = 0.04F; ///< quads^2: a bilinear map along a slanted row is off its chord by a quarter of this times its mixed difference
 
 /// YCrCb as cv::cvtColor has it, without the offset of Cr and Cb, which `offset` puts back.
 const Matx33d YCRCB_FROM_BGR(0.114, 0.587, 0.299, -0.114 * 0.713, -0.587 * 0.713, (1 - 0.299) * 0.713, (1 - 0.114) * 0.564,
@@ -84,11 +85,12 @@ v_float32x4 half(const v_uint16x8& numbers, int which)
     return v_cvt_f32(v_reinterpret_as_s32(which == 0 ? low : high));
 }
 
-void mapPixels(const ColorMap& map, const ColorMap& slope, Vec3b* pixels, int count)
+/// Up to LANES pixels. The maps are those of four pixels, and taken to those of the next.
+void mapLanes(v_float32x4 (&maps)[12], const v_float32x4 (&steps)[12], Vec3b* pixels, int count)
 {
-    uchar buffer[3 * SPAN] = {};
+    uchar buffer[3 * LANES] = {};
     uchar* bytes = pixels->val;
-    if (count < SPAN)
+    if (count < LANES)
     {
         std::memcpy(buffer, bytes, 3 * static_cast<size_t>(count));
         bytes = buffer;
@@ -98,15 +100,9 @@ void mapPixels(const ColorMap& map, const ColorMap& slope, Vec3b* pixels, int co
     v_uint16x8 wide[3][2];
     for (int c = 0; c < 3; ++c)
         v_expand(bgr[c], wide[c][0], wide[c][1]);
-    // The maps of four pixels, which a step takes to those of the next four.
-    v_float32x4 maps[12];
-    v_float32x4 steps[12];
-    for (int m = 0; m < 12; ++m)
-    {
-        maps[m] = v_setall_f32(map[m]) + v_float32x4(0, 1, 2, 3) * v_setall_f32(slope[m]);
-        steps[m] = v_setall_f32(4 * slope[m]);
-    }
-    v_int32x4 mapped[3][SPAN / 4] = {};
+    v_int32x4 mapped[3][LANES / 4];
+    for (auto& channel : mapped)
+        std::fill(channel, channel + LANES / 4, v_setzero_s32());
     for (int q = 0; 4 * q < count; ++q)
     {
         const v_float32x4 b = half(wide[0][q / 2], q % 2);
@@ -120,8 +116,21 @@ void mapPixels(const ColorMap& map, const ColorMap& slope, Vec3b* pixels, int co
     for (int c = 0; c < 3; ++c)
         bgr[c] = v_pack_u(v_pack(mapped[c][0], mapped[c][1]), v_pack(mapped[c][2], mapped[c][3]));
     v_store_interleave(bytes, bgr[0], bgr[1], bgr[2]);
-    if (count < SPAN)
+    if (count < LANES)
         std::memcpy(pixels->val, buffer, 3 * static_cast<size_t>(count));
+}
+
+void mapPixels(const ColorMap& map, const ColorMap& slope, Vec3b* pixels, int count)
+{
+    v_float32x4 maps[12];
+    v_float32x4 steps[12];
+    for (int m = 0; m < 12; ++m)
+    {
+        maps[m] = v_setall_f32(map[m]) + v_float32x4(0, 1, 2, 3) * v_setall_f32(slope[m]);
+        steps[m] = v_setall_f32(4 * slope[m]);
+    }
+    for (int k = 0; k < count; k += LANES)
+        mapLanes(maps, steps, pixels + k, std::min(LANES, count - k));
 }
 #endif
 
@@ -245,9 +254,18 @@ ColorMap ColorField::at(Point2f quads) const
     const int below = std::min(row + 1, maps_.rows - 1);
     const float u = x - static_cast<float>(col);
     const float v = y - static_cast<float>(row);
-    const ColorMap top = maps_.at<ColorMap>(row, col) * (1 - u) + maps_.at<ColorMap>(row, right) * u;
-    const ColorMap bottom = maps_.at<ColorMap>(below, col) * (1 - u) + maps_.at<ColorMap>(below, right) * u;
-    return top * (1 - v) + bottom * v;
+    const float* top_left = maps_.ptr<float>(row, col);
+    const float* top_right = maps_.ptr<float>(row, right);
+    const float* low_left = maps_.ptr<float>(below, col);
+    const float* low_right = maps_.ptr<float>(below, right);
+    ColorMap map;
+    for (int k = 0; k < ColorMap::channels; ++k)
+    {
+        const float top = top_left[k] * (1 - u) + top_right[k] * u;
+        const float low = low_left[k] * (1 - u) + low_right[k] * u;
+        map[k] = top * (1 - v) + low * v;
+    }
+    return map;
 }
 
 void ColorField::apply(Mat& picture, const Mat& mask, const GridPosition& position) const
