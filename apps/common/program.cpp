@@ -10,7 +10,6 @@
 #include <opencv2/core/utils/logger.hpp>
 
 using cv::gcpw::Params;
-using cv::gcpw::Status;
 
 namespace
 {
@@ -44,22 +43,6 @@ int parseAndRun(CommandLine& line, int argc, const char* const* argv, const std:
 }
 
 } // namespace
-
-std::string nameOf(Status status)
-{
-    switch (status)
-    {
-    case Status::OK:
-        return "ok";
-    case Status::ROUGH:
-        return "rough";
-    case Status::NO_ALIGNMENT:
-        return "no_alignment";
-    case Status::CANCELLED:
-        return "cancelled";
-    }
-    return "unknown";
-}
 
 void applySettings(const std::string& settings, Params& params)
 {

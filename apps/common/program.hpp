@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <string>
-#include <opencv2/gcpw/alignment.hpp>
 #include <opencv2/gcpw/params.hpp>
 #include "common/command_line.hpp"
 #include "common/console.hpp"
@@ -16,9 +15,6 @@
 const double LEAST_MEGAPIX = 1e-4;
 /// The largest that OpenCV has pictures of.
 const double MOST_MEGAPIX = 1000;
-
-/// "ok", "rough", "no_alignment", "cancelled".
-std::string nameOf(cv::gcpw::Status status);
 
 /// Applies "name=value,name=value" to params, and checks all of them. Throws WrongUse.
 void applySettings(const std::string& settings, cv::gcpw::Params& params);

@@ -14,6 +14,13 @@ namespace
 const double TOO_EARLY = 0.05; ///< of the work, and
 const double TOO_SHORT = 1;    ///< s: before, nothing can be said about the time left
 
+size_t indexOf(const std::vector<ProgressLine::Stage>& stages, const std::string& name)
+{
+    const auto found = std::find_if(stages.begin(), stages.end(),
+                                    [&](const ProgressLine::Stage& stage) { return stage.name == name; });
+    return static_cast<size_t>(found - stages.begin());
+}
+
 } // namespace
 
 ProgressLine::ProgressLine(const std::vector<Stage>& stages, bool shown)
@@ -23,13 +30,12 @@ ProgressLine::ProgressLine(const std::vector<Stage>& stages, bool shown)
 
 void ProgressLine::begin(const std::string& stage)
 {
-    const auto found =
-        std::find_if(stages_.begin(), stages_.end(), [&](const Stage& one) { return one.name == stage; });
-    if (found == stages_.end())
+    const size_t index = indexOf(stages_, stage);
+    if (index == stages_.size())
         return;
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        present_ = static_cast<size_t>(found - stages_.begin());
+        present_ = index;
         fraction_ = 0;
     }
     show(0);
@@ -41,29 +47,36 @@ void ProgressLine::show(double fraction)
         return;
     const std::lock_guard<std::mutex> lock(mutex_);
     fraction_ = std::max(fraction_, std::min(fraction, 1.0)); // threads may come late
-    double before = 0;
-    double whole = 0;
-    for (size_t i = 0; i < stages_.size(); ++i)
-    {
-        whole += stages_[i].share;
-        before += i < present_ ? stages_[i].share : 0;
-    }
-    const double done = (before + fraction_ * stages_[present_].share) / whole;
+    const double done = doneOf(stages_, present_, fraction_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     std::fprintf(stderr, "\r%-22s %3.0f %%  %-14s", stages_[present_].name.c_str(), 100 * done,
                  timeLeft(done, seconds).c_str());
     std::fflush(stderr);
 }
 
-cv::gcpw::Progress ProgressLine::callback()
+cv::gcpw::Progress ProgressLine::callback(const std::vector<Stage>& parts)
 {
     if (!shown_)
         return {};
-    return [this](const std::string&, double fraction)
+    return [this, parts](const std::string& part, double fraction)
     {
-        show(fraction);
+        const size_t index = indexOf(parts, part);
+        if (index < parts.size())
+            show(doneOf(parts, index, fraction));
         return true;
         };
+}
+
+double ProgressLine::doneOf(const std::vector<Stage>& stages, size_t present, double fraction)
+{
+    double before = 0;
+    double whole = 0;
+    for (size_t i = 0; i < stages.size(); ++i)
+    {
+        whole += stages[i].share;
+        before += i < present ? stages[i].share : 0;
+    }
+    return (before + fraction * stages[present].share) / whole;
 }
 
 void ProgressLine::erase()

@@ -34,11 +34,16 @@ public:
     /// @param fraction of the present stage, 0 to 1; from any thread
     void show(double fraction);
 
-    /// show() for the module's functions; empty if the line is never shown. What they call their own steps is not shown.
-    cv::gcpw::Progress callback();
+    /** @brief show() for the module's functions, which name stages of their own: together these are the present stage of the line.
+    @param parts the module's stages in their order, each with its share of the time; others are not shown
+    @return empty if the line is never shown */
+    cv::gcpw::Progress callback(const std::vector<Stage>& parts);
 
     /// Wipes the line, before something else is written.
     static void erase();
+
+    /// What is done of all stages when one of them has come to a fraction of itself, 0 to 1. @param present its index
+    static double doneOf(const std::vector<Stage>& stages, size_t present, double fraction);
 
     /// "1:05 left", or nothing where that cannot be told yet. @param done share of the whole @param seconds since the beginning
     static std::string timeLeft(double done, double seconds);

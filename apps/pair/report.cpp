@@ -4,7 +4,6 @@
 #include "pair/report.hpp"
 
 #include "common/json.hpp"
-#include "common/program.hpp"
 
 using namespace cv::gcpw;
 
@@ -25,26 +24,6 @@ void addScore(Json& json, const std::string& key, const Score& score)
     json.beginObject(key).add("ncc", score.ncc).add("zncc", score.zncc).endObject();
 }
 
-const char* stopName(StopReason reason)
-{
-    switch (reason)
-    {
-    case StopReason::ITERATION_LIMIT:
-        return "iteration_limit";
-    case StopReason::MESH_STABLE:
-        return "mesh_stable";
-    case StopReason::ENERGY_STABLE:
-        return "energy_stable";
-    case StopReason::NO_DESCENT:
-        return "no_descent";
-    case StopReason::SINGULAR:
-        return "singular";
-    case StopReason::CANCELLED:
-        return "cancelled";
-    }
-    return "unknown";
-}
-
 } // namespace
 
 std::string reportText(const Report& report, const std::string& method, const Score* before, const Score* after,
@@ -52,7 +31,7 @@ std::string reportText(const Report& report, const std::string& method, const Sc
 {
     Json json;
     json.beginObject();
-    json.add("status", nameOf(report.status)).add("message", report.message).add("method", method);
+    json.add("status", toString(report.status)).add("message", report.message).add("method", method);
     json.add("points", report.pairs.empty() ? 0 : report.pairs[0].points);
     json.add("lines", report.pairs.empty() ? 0 : report.pairs[0].lines);
     json.add("folds", report.folds).add("max_displacement_px", report.max_displacement_px);
@@ -61,7 +40,7 @@ std::string reportText(const Report& report, const std::string& method, const Sc
     for (const LevelReport& level : report.levels)
     {
         json.beginObject().add("scale", level.scale).add("iterations", level.iterations);
-        json.add("stop", stopName(level.stop));
+        json.add("stop", toString(level.stop));
         addEnergies(json, "energy_start", level.start);
         addEnergies(json, "energy_end", level.end);
         json.endObject();

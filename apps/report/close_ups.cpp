@@ -62,7 +62,7 @@ std::string figure(const Page& page, const cv::Rect& crop, const std::string& ca
 
 } // namespace
 
-std::string closeUps(const Page& page, const cv::Rect& frame)
+std::string closeUps(const Page& page)
 {
     std::string html;
     cv::Rect taken;
@@ -74,7 +74,7 @@ std::string closeUps(const Page& page, const cv::Rect& frame)
         const evaluation::SeamVisibility seams = evaluation::seamVisibility(picture.images, picture.labels);
         if (!(seams.worst > 0))
             continue;
-        const cv::Rect crop = around(seams.strongest_place, frame);
+        const cv::Rect crop = around(seams.strongest_place, page.frame);
         if (2 * (crop & taken).area() > crop.area())
             continue; // the same place
         taken = crop;

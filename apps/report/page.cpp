@@ -23,14 +23,22 @@ std::string section(const std::string& id, const std::string& title, const std::
            content + "</section>\n";
 }
 
+/// Of a picture in all its pixels.
+cv::Size sizeOf(const Picture& picture)
+{
+    return picture.whole.empty() ? picture.image.size() : picture.whole.size();
+}
+
 std::string subtitle(const Page& page)
 {
     const auto shown = std::count_if(page.photographs.begin(), page.photographs.end(),
                                      [](const Photograph& p) { return p.shown >= 0; });
-    const cv::Mat& whole = page.after.whole.empty() ? page.after.image : page.after.whole;
     std::string text = cv::format("%d of %zu photographs", static_cast<int>(shown), page.photographs.size());
-    if (!whole.empty())
-        text += cv::format(", %d &times; %d px", whole.cols, whole.rows);
+    const cv::Size whole = sizeOf(page.after);
+    if (!page.size.empty())
+        text += cv::format(", %d &times; %d px", page.size.width, page.size.height);
+    if (page.size != whole)
+        text += cv::format(", cropped from %d &times; %d", whole.width, whole.height);
     return text + ", by " + escaped(page.program) + " with " + escaped(page.method);
 }
 
@@ -40,6 +48,27 @@ std::string titleOf(const Page& page)
 }
 
 } // namespace
+
+void showWritten(const cv::Rect& crop, Page& page)
+{
+    page.size = sizeOf(page.after);
+    page.frame = page.before.image.empty() ? page.after.place() : page.after.place() | page.before.place();
+    if (crop.empty())
+        return;
+    const double scale = static_cast<double>(page.after.image.cols) / page.size.width;
+    const auto scaled = [scale](const cv::Point& p) { return cv::Point(cvRound(scale * p.x), cvRound(scale * p.y)); };
+    page.frame = (cv::Rect(scaled(crop.tl()), scaled(crop.br())) + page.after.origin) & page.after.place();
+    page.size = crop.size();
+    for (evaluation::Labels* labels : {&page.before.labels, &page.after.labels})
+    {
+        if (labels->of.empty())
+            continue;
+        cv::Mat kept(labels->of.size(), CV_16SC1, cv::Scalar(-1));
+        const cv::Rect inside = (page.frame - labels->origin) & cv::Rect(cv::Point(), kept.size());
+        labels->of(inside).copyTo(kept(inside));
+        labels->of = kept;
+    }
+}
 
 std::string htmlOf(const Page& page)
 {
@@ -63,7 +92,7 @@ std::string htmlOf(const Page& page)
         sections += section(
             "close-ups", "Look closely",
             "Where the cut between two photographs breaks the strongest edges: what a critical eye finds first.",
-            closeUps(page, viewer.frame));
+            closeUps(page));
     }
     else
         values["cards"] = "";

@@ -46,12 +46,19 @@ struct Page
     std::vector<Photograph> photographs;
     Picture before; ///< to compare with; without an image there is none
     Picture after;
+    cv::Rect frame;          ///< canvas pixels that are shown: see showWritten()
+    cv::Size size;           ///< of the picture that was written, px
     Scores zncc;             ///< see cv::gcpw::Score
     evaluation::Bend bend;   ///< of the segments of images that move
     cv::gcpw::Report report; ///< its pairs count Picture::images
     std::vector<Timing> timings;
     std::vector<std::string> messages; ///< sentences, in order
 };
+
+/** @brief Sets what a page with pictures shows: what was written of the finished one, so that page and file agree. Cuts beside it count no
+more.
+@param crop the part that was written, px of Picture::whole; empty where all of it was: then both pictures are shown as a whole */
+void showWritten(const cv::Rect& crop, Page& page);
 
 /// The whole page, without a reference to any other file.
 std::string htmlOf(const Page& page);

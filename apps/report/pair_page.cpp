@@ -33,6 +33,15 @@ cv::Point2d mapped(const cv::Matx33d& homography, const cv::Point2d& p)
     return {q[0] / q[2], q[1] / q[2]};
 }
 
+/// A canvas of 8 bits.
+PairCanvas inBytes(const PairCanvas& canvas)
+{
+    PairCanvas bytes = canvas;
+    for (cv::Mat* picture : {&bytes.source, &bytes.source_corrected, &bytes.target, &bytes.target_corrected})
+        *picture = toBytes(*picture);
+    return bytes;
+}
+
 /// A picture of one method in pixels of the page.
 Picture shrunk(const PairCanvas& canvas, const cv::Mat& panorama, Blend blend, double scale)
 {
@@ -122,9 +131,10 @@ void addLines(const std::vector<evaluation::SegmentBend>& bends, const cv::Matx3
 void addPictures(const PairRun& run, Page& page)
 {
     const double scale = pageScale(run.panorama.size());
-    page.after = shrunk(run.canvas, run.panorama, run.blend, scale);
-    page.after.whole = run.panorama;
-    const PairCanvas rough = cv::gcpw::renderPair(run.alignment.rough(), run.source, run.target, run.view);
+    page.after = shrunk(inBytes(run.canvas), toBytes(run.panorama), run.blend, scale);
+    page.after.whole = toBytes(run.panorama);
+    const PairCanvas rough =
+        cv::gcpw::renderPair(run.alignment.rough(), toBytes(run.source), toBytes(run.target), run.view);
     const cv::Mat rough_panorama = cv::gcpw::blendPair(rough, run.blend);
     page.before = shrunk(rough, rough_panorama, run.blend, scale);
     const cv::Matx33d after_from_before = cv::Matx33d(run.canvas.canvas_from_target.ptr<double>()) *
@@ -148,6 +158,7 @@ void addPictures(const PairRun& run, Page& page)
         addLines(bends, page_from_work, true, page.before);
         addLines(bends, page_from_work, false, page.after);
     }
+    showWritten(run.crop, page);
 }
 
 } // namespace

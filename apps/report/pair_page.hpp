@@ -22,7 +22,8 @@ struct PairRun
     cv::gcpw::View view = cv::gcpw::View::NATURAL;
     cv::gcpw::Blend blend = cv::gcpw::Blend::MULTIBAND;
     cv::gcpw::PairCanvas canvas; ///< of the alignment in this view; empty without an alignment
-    cv::Mat panorama;            ///< of this canvas
+    cv::Mat panorama;            ///< of this canvas, as a whole
+    cv::Rect crop;               ///< the part of it that was written; empty for all of it
     Scores zncc;                 ///< of the homography and of the alignment
     double render_ms = 0;
 };

@@ -125,6 +125,7 @@ void addPictures(const PanoramaRun& run, Page& page)
     turnRight(page.after, run.turns);
     if (!run.plain.picture.empty())
         turnRight(page.before, run.turns);
+    showWritten(run.crop, page);
 }
 
 /// Means over the pairs that can be compared.

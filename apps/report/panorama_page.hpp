@@ -34,6 +34,7 @@ struct PanoramaRun
     Composed plain;                     ///< by OpenCV alone, to compare with; empty if `shown` is that
     const cv::gcpw::Rig* rig = nullptr; ///< null without GCPW
     int turns = 0;                      ///< to the right, by 90 degrees, that make the picture stand
+    cv::Rect crop;                      ///< the part of the standing picture that was written; empty for all of it
     std::vector<Timing> timings;
     std::vector<std::string> messages;
 };

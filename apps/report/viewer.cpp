@@ -102,8 +102,9 @@ std::string cutsOf(const Picture& picture, const Page& page, const cv::Rect& fra
 
 /// All layers of one picture.
 std::string sideOf(const char* side, const std::string& name, const Picture& picture, const Page& page,
-                   const cv::Rect& frame, Misalignment& misalignment)
+                   Misalignment& misalignment)
 {
+    const cv::Rect& frame = page.frame;
     const cv::Size size = frame.size();
     cv::Mat shown = framed(picture.image, picture.origin, frame);
     clearBeside(picture.images, frame, shown);
@@ -151,15 +152,13 @@ Viewer viewerOf(const Page& page)
 {
     Viewer viewer;
     const bool compared = !page.before.image.empty();
-    viewer.frame = compared ? page.after.place() | page.before.place() : page.after.place();
-    std::string sides = sideOf("after", page.method, page.after, page, viewer.frame, viewer.after);
+    std::string sides = sideOf("after", page.method, page.after, page, viewer.after);
     if (compared)
-        sides += sideOf("before", page.before_name, page.before, page, viewer.frame, viewer.before);
+        sides += sideOf("before", page.before_name, page.before, page, viewer.before);
     viewer.html =
         "<div class=\"viewer\" data-layer=\"picture\">\n" + choices() +
         cv::format("<div class=\"window\"><div class=\"stage\" style=\"aspect-ratio: %d / %d; --ratio: %.4f\">\n",
-                   viewer.frame.width, viewer.frame.height,
-                   static_cast<double>(viewer.frame.width) / viewer.frame.height) +
+                   page.frame.width, page.frame.height, static_cast<double>(page.frame.width) / page.frame.height) +
         sides + (compared ? "<div class=\"handle\" aria-hidden=\"true\"></div>\n" : "") + "</div></div>\n";
     if (compared)
         viewer.html += "<p class=\"slider\"><label for=\"split\"><span class=\"from\">" + escaped(page.before_name) +

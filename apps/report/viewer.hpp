@@ -14,7 +14,6 @@ namespace report
 struct Viewer
 {
     std::string html;
-    cv::Rect frame; ///< canvas pixels that the viewer shows
     Misalignment before;
     Misalignment after;
 };
@@ -24,7 +23,7 @@ struct Viewer
 Viewer viewerOf(const Page& page);
 
 /// Of the places that a reader looks at first, both pictures enlarged: where the cut of either breaks the strongest edges.
-std::string closeUps(const Page& page, const cv::Rect& frame);
+std::string closeUps(const Page& page);
 
 } // namespace report
 

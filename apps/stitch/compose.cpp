@@ -48,12 +48,13 @@ cv::Mat intrinsics(const cv::detail::CameraParams& camera)
 }
 
 /// Which part of each photograph is shown, at the low resolution of the seams. Estimates exposures on the way.
-std::vector<cv::UMat> findSeams(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout)
+std::vector<cv::UMat> findSeams(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout,
+                                ProgressLine& progress)
 {
     const double seam_scale = scaleFor(job.setup.seam_megapix, photographs[0].image.size());
     const double aspect = seam_scale / layout.work_scale;
     const cv::Ptr<cv::detail::RotationWarper> warper =
-        layout.warper->create(static_cast<float>(medianFocal(layout.cameras) * aspect));
+        layout.warper->create(static_cast<float>(cv::gcpw::medianFocal(layout.cameras) * aspect));
     const size_t count = layout.cameras.size();
     std::vector<cv::Point> corners(count);
     std::vector<cv::UMat> images(count);
@@ -68,6 +69,7 @@ std::vector<cv::UMat> findSeams(const StitchJob& job, const std::vector<Photogra
         const cv::Mat& R = layout.cameras[k].R;
         corners[k] = warper->warp(image, K, R, cv::INTER_LINEAR, cv::BORDER_REFLECT, images[k]);
         warper->warp(mask, K, R, cv::INTER_NEAREST, cv::BORDER_CONSTANT, masks[k]);
+        progress.show(SHARE_BEFORE_CUTS * static_cast<double>(k + 1) / static_cast<double>(count));
     }
     layout.compensator->feed(corners, images, masks);
     std::vector<cv::UMat> floats(count);
@@ -103,7 +105,7 @@ Warping::Warping(const StitchJob& job, const std::vector<Photograph>& photograph
 {
     scale_ = composeScale(job, photographs, layout);
     const double aspect = scale_ / layout.work_scale;
-    warper_ = layout.warper->create(static_cast<float>(medianFocal(layout.cameras) * aspect));
+    warper_ = layout.warper->create(static_cast<float>(cv::gcpw::medianFocal(layout.cameras) * aspect));
     for (size_t k = 0; k < cameras_.size(); ++k)
     {
         cameras_[k].ppx *= aspect;
@@ -141,7 +143,7 @@ Composition compose(const StitchJob& job, const std::vector<Photograph>& photogr
                     const std::function<void(size_t, const Warping&, const Warping::Warped&)>& on_warped)
 {
     progress.begin(SEAMS);
-    std::vector<cv::UMat> seams = findSeams(job, photographs, layout);
+    std::vector<cv::UMat> seams = findSeams(job, photographs, layout, progress);
     progress.begin(COMPOSING);
     Warping warping(job, photographs, layout, deep);
     const cv::Rect canvas = cv::detail::resultRoi(warping.corners(), warping.sizes());

@@ -15,6 +15,7 @@ struct Composition
     cv::Mat picture; ///< CV_8UC3 or CV_16UC3
     cv::Mat shown;   ///< CV_8UC1, not 0 where a photograph shows
     int turns = 0;   ///< to the right, by 90 degrees, that made it stand
+    cv::Rect crop;   ///< the part of it that is written; empty for all of it
 };
 
 /// Warped photographs at the picture's resolution, one after the other.

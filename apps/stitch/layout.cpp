@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "stitch/layout.hpp"
 
-#include <algorithm>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#include "stitch/counted_finder.hpp"
 #include "stitch/focal_start.hpp"
 #include "stitch/model.hpp"
 
@@ -20,6 +20,12 @@ const char* const COMPOSING = "composing";
 
 namespace
 {
+
+// Stages of the module's functions, with the shares of the time that they take of five photographs of 4 Mpx on two cores.
+const char* const KEYPOINTS = "features";
+const char* const CAMERAS = "cameras";
+const std::vector<ProgressLine::Stage> FINDING = {{KEYPOINTS, 1}, {CAMERAS, 1}};
+const std::vector<ProgressLine::Stage> ALIGNMENT = {{KEYPOINTS, 1}, {"homography", 2}, {"align", 6}};
 
 /// Gives memory that features and matches have left behind back to the system, where the allocator keeps it.
 void releaseFreedMemory()
@@ -38,10 +44,20 @@ std::vector<cv::Mat> bytesOf(const std::vector<Photograph>& photographs)
     return images;
 }
 
-/// The parts that make the picture. @param base the warper without meshes
-void addParts(const StitchJob& job, const cv::Ptr<cv::WarperCreator>& base, Layout& layout)
+/// What files note of focal lengths, px; 0 where one notes none.
+std::vector<double> focalsOf(const std::vector<Photograph>& photographs)
 {
-    layout.seam_finder = seamFinderOf(job.setup);
+    std::vector<double> focals;
+    for (const Photograph& photograph : photographs)
+        focals.push_back(photograph.metadata.focalLength(photograph.image.size()));
+    return focals;
+}
+
+/// The parts that make the picture. @param base the warper without meshes
+void addParts(const StitchJob& job, const cv::Ptr<cv::WarperCreator>& base, ProgressLine& progress, Layout& layout)
+{
+    layout.seam_finder = seamFinderOf(job.setup, [&progress](double share)
+                                      { progress.show(SHARE_BEFORE_CUTS + (1 - SHARE_BEFORE_CUTS) * share); });
     layout.compensator = compensatorOf(job.setup);
     layout.warper = base;
     if (!job.gcpw)
@@ -52,7 +68,7 @@ void addParts(const StitchJob& job, const cv::Ptr<cv::WarperCreator>& base, Layo
         layout.compensator = gcpw->compensator(job.params);
 }
 
-void useModel(const StitchJob& job, const std::vector<Photograph>& photographs, Layout& layout)
+void useModel(const StitchJob& job, const std::vector<Photograph>& photographs, ProgressLine& progress, Layout& layout)
 {
     layout.rig = modelFor(photographs, job.load_model, job.setup.warp);
     layout.component = layout.rig.component;
@@ -60,14 +76,16 @@ void useModel(const StitchJob& job, const std::vector<Photograph>& photographs, 
     layout.work_scale = layout.rig.work_scale;
     layout.projection = layout.rig.projection;
     layout.turned = layout.rig.turned;
-    addParts(job, warperOf(layout.projection), layout);
+    addParts(job, warperOf(layout.projection), progress, layout);
 }
 
 /// Looks for cameras and a projection in mode auto.
 void findCameras(const StitchJob& job, const std::vector<Photograph>& photographs, MatchLog& log,
                  ProgressLine& progress, Layout& layout)
 {
-    const CameraEstimate estimate = estimateCameras(bytesOf(photographs), cameraOptions(job.setup, log));
+    CameraOptions options = cameraOptions(job.setup, log);
+    options.focal = focalsOf(photographs);
+    const CameraEstimate estimate = estimateCameras(bytesOf(photographs), options, progress.callback(FINDING));
     releaseFreedMemory();
     layout.decisions = estimate.decisions;
     if (!estimate.ok())
@@ -83,10 +101,10 @@ void findCameras(const StitchJob& job, const std::vector<Photograph>& photograph
     if (job.gcpw)
     {
         progress.begin(ALIGNING);
-        layout.rig = alignRig(estimate, job.params, progress.callback());
+        layout.rig = alignRig(estimate, job.params, progress.callback(ALIGNMENT));
         layout.estimations = 1;
     }
-    addParts(job, estimate.warper(), layout);
+    addParts(job, estimate.warper(), progress, layout);
 }
 
 /// OpenCV's own estimation, of the modes by name.
@@ -96,26 +114,30 @@ void estimateByStitcher(const StitchJob& job, const std::vector<Photograph>& pho
     const bool scans = job.setup.mode == "scans";
     std::vector<cv::Mat> images;
     std::vector<cv::Mat> masks;
-    std::vector<double> focals;
     std::vector<int> widths;
     for (const Photograph& photograph : photographs)
     {
         images.push_back(withoutAlpha(toBytes(photograph.image)));
         const cv::Mat shown = shownPixels(photograph.image);
         masks.push_back(shown.empty() ? cv::Mat(images.back().size(), CV_8UC1, cv::Scalar(255)) : shown);
-        focals.push_back(photograph.metadata.focalLength(images.back().size()));
         widths.push_back(images.back().cols);
     }
     const cv::Ptr<cv::Stitcher> stitcher = makeStitcher(job.setup, log);
     if (!scans && job.setup.estimator.empty())
-        stitcher->setEstimator(cv::makePtr<FocalStart>(focals, widths));
+        stitcher->setEstimator(cv::makePtr<FocalStart>(focalsOf(photographs), widths));
+    if (const Progress finding = progress.callback(FINDING))
+    {
+        stitcher->setFeaturesFinder(cv::makePtr<CountedFinder>(stitcher->featuresFinder(), images.size(),
+                                                               [finding](double share) { finding(KEYPOINTS, share); }));
+        log.onPair([finding](double share) { finding(CAMERAS, share); });
+    }
     cv::Ptr<StitcherBinding> binding;
     if (job.gcpw)
-        binding = attach(stitcher, job.params, progress.callback());
+        binding = attach(stitcher, job.params, progress.callback(ALIGNMENT));
     const cv::Stitcher::Status status = stitcher->estimateTransform(images, masks);
     if (status != cv::Stitcher::OK)
     {
-        layout.trouble = explain(status);
+        layout.trouble = explain(status) + ", lower --conf_thresh, or try --mode=auto";
         return;
     }
     layout.component = stitcher->component();
@@ -129,29 +151,17 @@ void estimateByStitcher(const StitchJob& job, const std::vector<Photograph>& pho
         layout.rig = binding->rig();
         layout.estimations = binding->estimations();
     }
-    addParts(job, warperOf(layout.projection), layout);
+    addParts(job, warperOf(layout.projection), progress, layout);
 }
 
 } // namespace
-
-float medianFocal(const std::vector<cv::detail::CameraParams>& cameras)
-{
-    std::vector<double> focals;
-    for (const cv::detail::CameraParams& camera : cameras)
-        focals.push_back(camera.focal);
-    std::sort(focals.begin(), focals.end());
-    const size_t half = focals.size() / 2;
-    return focals.size() % 2 == 1
-               ? static_cast<float>(focals[half])
-               : static_cast<float>(focals[half - 1] + focals[half]) * 0.5F; // rounded like cv::Stitcher's
-}
 
 Layout layOut(const StitchJob& job, const std::vector<Photograph>& photographs, MatchLog& log, ProgressLine& progress)
 {
     Layout layout;
     progress.begin(MATCHING);
     if (!job.load_model.empty())
-        useModel(job, photographs, layout);
+        useModel(job, photographs, progress, layout);
     else if (job.setup.mode == "auto")
         findCameras(job, photographs, log, progress, layout);
     else

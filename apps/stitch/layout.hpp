@@ -6,6 +6,7 @@
 
 #include <string>
 #include <vector>
+#include <opencv2/gcpw/cameras.hpp>
 #include <opencv2/gcpw/stitcher.hpp>
 #include "common/progress_line.hpp"
 #include "common/read_photograph.hpp"
@@ -31,15 +32,15 @@ struct Layout
     bool ok() const { return trouble.empty(); }
 };
 
-/// The focal length that cv::Stitcher scales its picture by.
-float medianFocal(const std::vector<cv::detail::CameraParams>& cameras);
-
 /// Stages of the work in ProgressLine.
 extern const char* const READING;
 extern const char* const MATCHING;
 extern const char* const ALIGNING;
 extern const char* const SEAMS;
 extern const char* const COMPOSING;
+
+/// What of SEAMS is done before the first cut: photographs are warped.
+const double SHARE_BEFORE_CUTS = 0.3;
 
 /** @brief Looks for cameras, or takes those of a model, and aligns.
 @param photographs two or more

@@ -16,8 +16,11 @@
 class MatchLog
 {
 public:
-    /// @param images how many photographs there are  @param show called with the share of pairs that are done, may be empty
-    MatchLog(int images, const std::function<void(double)>& show) : images_(images), show_(show) {}
+    /// @param images how many photographs there are
+    explicit MatchLog(int images) : images_(images) {}
+
+    /// @param show called with the share of pairs that are done
+    void onPair(const std::function<void(double)>& show) { show_ = show; }
 
     void add(int a, int b, const cv::detail::MatchesInfo& info);
 

@@ -62,7 +62,7 @@ report::Composed plainOf(const StitchJob& job, const std::vector<Photograph>& ph
     plain.warper = bent ? bent->base() : layout.warper;
     plain.compensator = compensatorOf(job.setup);
     plain_job.setup.seam = plainSeam(job.setup.seam);
-    plain.seam_finder = seamFinderOf(plain_job.setup);
+    plain.seam_finder = seamFinderOf(plain_job.setup, {});
     const cv::Ptr<report::RecordedSeams> seams = recordSeams(plain);
     ProgressLine silent({}, false);
     const cv::Mat picture = compose(plain_job, photographs, plain, false, silent, {}).picture;
@@ -80,6 +80,7 @@ report::Page pairPage(const StitchJob& job, const std::vector<Photograph>& photo
     run.alignment = cv::gcpw::alignPair(run.source, run.target, job.params);
     run.canvas = cv::gcpw::renderPair(run.alignment, run.source, run.target, run.view);
     run.panorama = composition.picture;
+    run.crop = composition.crop;
     const auto score = [&](const cv::gcpw::Alignment& alignment)
     { return cv::gcpw::scorePair(cv::gcpw::renderPair(alignment, run.source, run.target)).zncc; };
     run.zncc = {score(run.alignment.rough()), score(run.alignment)};
@@ -120,7 +121,7 @@ report::Page pageOf(const StitchJob& job, const std::vector<Photograph>& photogr
     }
     run.cameras.component = layout.component;
     run.cameras.cameras = layout.cameras;
-    run.cameras.focal = medianFocal(layout.cameras);
+    run.cameras.focal = cv::gcpw::medianFocal(layout.cameras);
     run.cameras.work_scale = layout.work_scale;
     run.compose_scale = composeScale(job, photographs, layout);
     run.shown = {lying(composition), layout.warper, layout.compensator, seams};
@@ -128,5 +129,6 @@ report::Page pageOf(const StitchJob& job, const std::vector<Photograph>& photogr
         run.plain = plainOf(job, photographs, layout);
     run.rig = job.gcpw ? &layout.rig : nullptr;
     run.turns = composition.turns;
+    run.crop = composition.crop;
     return pageOf(run);
 }

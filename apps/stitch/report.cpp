@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include "common/json.hpp"
-#include "common/program.hpp"
 
 using namespace cv::gcpw;
 
@@ -14,7 +13,7 @@ namespace
 
 void addAlignment(Json& json, const Report& report, int estimations)
 {
-    json.beginObject("alignment").add("status", nameOf(report.status)).add("message", report.message);
+    json.beginObject("alignment").add("status", toString(report.status)).add("message", report.message);
     json.add("estimations", estimations).add("folds", report.folds);
     json.add("max_displacement_px", report.max_displacement_px);
     json.add("gain_min", report.gain_min).add("gain_max", report.gain_max);

@@ -80,9 +80,11 @@ void standUp(const Photograph& photograph, Composition& composition, std::vector
     }
 }
 
-cv::Mat cropped(const StitchJob& job, const Composition& composition, const Console& console)
+/// What of the picture is written.
+cv::Mat cropped(const StitchJob& job, const Console& console, Composition& composition)
 {
     const cv::Rect inner = job.crop == "auto" ? largestRectangle(composition.shown) : cv::Rect();
+    composition.crop = inner;
     if (inner.empty())
         return composition.picture;
     console.detail(cv::format("cropped from %d x %d to %d x %d px", composition.picture.cols, composition.picture.rows,
@@ -105,7 +107,7 @@ public:
     bool make(double read_ms)
     {
         stages_.read = read_ms;
-        MatchLog log(static_cast<int>(photographs_.size()), [this](double share) { progress_.show(share); });
+        MatchLog log(static_cast<int>(photographs_.size()));
         Layout layout = layOut(job_, photographs_, log, progress_);
         writeGraph(log);
         Composition composition;
@@ -117,7 +119,7 @@ public:
         stages_.compose = laps_.next();
         trouble_ = layout.trouble;
         kept_ = layout.component;
-        const cv::Mat picture = layout.ok() ? cropped(job_, composition, console_) : cv::Mat();
+        const cv::Mat picture = layout.ok() ? cropped(job_, console_, composition) : cv::Mat();
         ProgressLine::erase();
         std::vector<std::string> paths;
         for (const Photograph& photograph : photographs_)

@@ -19,11 +19,14 @@
 #include "common/exit_code.hpp"
 #include "common/spelling.hpp"
 #include "common/tiled_blender.hpp"
+#include "stitch/counted_seams.hpp"
 
 namespace
 {
 
 namespace detail = cv::detail;
+
+const char* const OWN_SEAM = "gcpw"; ///< --seam of cv::gcpw::GcpwSeamFinder
 
 template <typename T>
 using Choices = std::vector<std::pair<std::string, std::function<cv::Ptr<T>()>>>;
@@ -119,7 +122,7 @@ const Choices<detail::SeamFinder>& seams()
     typedef detail::GraphCutSeamFinder Cut;
     typedef detail::DpSeamFinder Dp;
     static const Choices<S> choices = {
-        {"gcpw", make<S, cv::gcpw::GcpwSeamFinder>()},
+        {OWN_SEAM, make<S, cv::gcpw::GcpwSeamFinder>()},
         {"no", make<S, detail::NoSeamFinder>()},
         {"voronoi", make<S, detail::VoronoiSeamFinder>()},
         {"gc_color", [] { return cv::Ptr<S>(cv::makePtr<Cut>(detail::GraphCutSeamFinderBase::COST_COLOR)); }},
@@ -291,11 +294,13 @@ cv::Ptr<detail::ExposureCompensator> compensatorOf(const StitchSetup& setup)
 
 std::string plainSeam(const std::string& seam)
 {
-    return seam == "gcpw" ? "gc_color" : seam;
+    return seam == OWN_SEAM ? "gc_color" : seam;
 }
 
-cv::Ptr<detail::SeamFinder> seamFinderOf(const StitchSetup& setup)
+cv::Ptr<detail::SeamFinder> seamFinderOf(const StitchSetup& setup, const std::function<void(double)>& show)
 {
+    if (setup.seam == OWN_SEAM && show)
+        return cv::makePtr<CountedSeams>(show);
     return choose<detail::SeamFinder>("seam", setup.seam, seams());
 }
 
@@ -318,20 +323,4 @@ cv::Ptr<cv::Stitcher> makeStitcher(const StitchSetup& setup, MatchLog& log)
     stitcher->setWaveCorrection(setup.wave_correct.empty() ? !scans : setup.wave_correct != "no");
     stitcher->setWaveCorrectKind(setup.wave_correct == "vert" ? detail::WAVE_CORRECT_VERT : detail::WAVE_CORRECT_HORIZ);
     return stitcher;
-}
-
-std::string explain(cv::Stitcher::Status status)
-{
-    switch (status)
-    {
-    case cv::Stitcher::OK:
-        return "stitched";
-    case cv::Stitcher::ERR_NEED_MORE_IMGS:
-        return "no two of the photographs match; take them with a third of overlap, or lower --conf_thresh";
-    case cv::Stitcher::ERR_HOMOGRAPHY_EST_FAIL:
-        return "no cameras fit the matches; --mode=auto tries several kinds";
-    case cv::Stitcher::ERR_CAMERA_PARAMS_ADJUST_FAIL:
-        return "the cameras could not be adjusted to the matches; --mode=auto tries several kinds";
-    }
-    return "unknown status";
 }

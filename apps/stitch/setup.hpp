@@ -4,6 +4,7 @@
 #ifndef GCPW_APPS_STITCH_SETUP_HPP
 #define GCPW_APPS_STITCH_SETUP_HPP
 
+#include <functional>
 #include <string>
 #include <vector>
 #include <opencv2/gcpw/cameras.hpp>
@@ -54,7 +55,8 @@ cv::gcpw::CameraOptions cameraOptions(const StitchSetup& setup, MatchLog& log);
 /// A stitcher of OpenCV's own classes, for the estimation. @param log outlives it
 cv::Ptr<cv::Stitcher> makeStitcher(const StitchSetup& setup, MatchLog& log);
 
-cv::Ptr<cv::detail::SeamFinder> seamFinderOf(const StitchSetup& setup);
+/// @param show called with the share of the cuts that are done, by those finders that can tell; may be empty
+cv::Ptr<cv::detail::SeamFinder> seamFinderOf(const StitchSetup& setup, const std::function<void(double)>& show);
 
 /// The cut that OpenCV alone makes: cv::Stitcher's default in the place of "gcpw".
 std::string plainSeam(const std::string& seam);
@@ -63,8 +65,5 @@ cv::Ptr<cv::detail::ExposureCompensator> compensatorOf(const StitchSetup& setup)
 /** @brief The blender of a picture.
 @param area px, of the picture  @param deep for 16 bits, see compose() */
 cv::Ptr<cv::detail::Blender> blenderOf(const StitchSetup& setup, double area, bool deep);
-
-/// What a status of cv::Stitcher means to the user.
-std::string explain(cv::Stitcher::Status status);
 
 #endif

@@ -4,6 +4,7 @@
 #include "stitch/two_photographs.hpp"
 
 #include <opencv2/gcpw/pair.hpp>
+#include "common/encode_picture.hpp"
 
 using namespace cv::gcpw;
 
@@ -15,7 +16,9 @@ bool stitchTwo(const StitchJob& job, const std::vector<Photograph>& photographs,
     const Alignment alignment = alignPair(source, target, job.params);
     if (alignment.report().status == Status::NO_ALIGNMENT)
         return false;
-    const PairCanvas canvas = renderPair(alignment, source, target, View::NATURAL);
+    const bool deep = keepsDeepPixels(job.output);
+    const PairCanvas canvas = renderPair(alignment, deep ? photographs[0].image : source,
+                                         deep ? photographs[1].image : target, View::NATURAL);
     composition.picture = blendPair(canvas, Blend::MULTIBAND);
     composition.shown = canvas.source_mask | canvas.target_mask;
     layout.component = {0, 1};

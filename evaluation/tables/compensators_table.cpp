@@ -65,14 +65,14 @@ Set readSet(const std::string& folder, double megapix)
     std::vector<cv::Mat> images;
     for (const std::string& path : paths)
         images.push_back(withoutAlpha(toBytes(readImage(path))));
-    MatchLog log(static_cast<int>(images.size()), {});
+    MatchLog log(static_cast<int>(images.size()));
     StitchSetup setup;
     setup.mode = "panorama";
     setup.work_megapix = megapix;
     const cv::Ptr<cv::Stitcher> stitcher = makeStitcher(setup, log);
     const cv::Stitcher::Status status = stitcher->estimateTransform(images);
     if (status != cv::Stitcher::OK)
-        throw WrongUse(folder + ": " + explain(status));
+        throw WrongUse(folder + ": " + cv::gcpw::explain(status));
     Set set;
     set.cameras = stitcher->cameras();
     for (int index : stitcher->component())

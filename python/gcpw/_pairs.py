@@ -8,7 +8,7 @@ from typing import Optional
 
 from . import _gcpw
 from ._gcpw import Alignment, PairCanvas, PairMatches, Params, Score
-from ._images import Image, Photograph, Picture, array_of
+from ._images import Image, Photograph, array_of
 from ._progress import Progress, shown
 
 _REMEDY = "let a third of each show what the other shows, in good light"
@@ -42,14 +42,14 @@ def align_pair(source: Photograph, target: Photograph, *, params: Optional[Param
 
 
 def render_pair(alignment: Alignment, source: Photograph, target: Photograph, *, view: str = "natural") -> PairCanvas:
-    """Both photographs on one canvas, at their full resolution.
+    """Both photographs on one canvas, at their full resolution: uint8, or uint16 where one of them is.
 
     view: 'natural', between both photographs, or 'target', in its frame, where scores can be compared"""
     return _gcpw.render_pair(alignment, array_of(source), array_of(target), view)
 
 
-def blend_pair(canvas: PairCanvas, blend: str = "multiband") -> Picture:
-    """One picture of a canvas, uint8 BGR.
+def blend_pair(canvas: PairCanvas, blend: str = "multiband") -> Image:
+    """One picture of a canvas, BGR of its type, uint8 or uint16.
 
     blend: 'multiband', along a seam, or 'average', which shows what does not line up as double"""
     return _gcpw.blend_pair(canvas, blend)
@@ -61,10 +61,10 @@ def score_pair(canvas: PairCanvas) -> Score:
 
 
 def stitch_pair(source: Photograph, target: Photograph, *, params: Optional[Params] = None, blend: str = "multiband",
-                view: str = "natural", progress: Progress = None) -> Picture:
+                view: str = "natural", progress: Progress = None) -> Image:
     """align_pair(), render_pair() and blend_pair() in one call.
 
-    Returns the picture, uint8 BGR. Raises NoAlignmentError where the photographs do not match."""
+    Returns the picture, BGR: uint8, or uint16 where a photograph is. Raises NoAlignmentError where the photographs do not match."""
     images: tuple[Image, Image] = (array_of(source), array_of(target))
     alignment = align_pair(*images, params=params, progress=progress)
     return blend_pair(render_pair(alignment, *images, view=view), blend)

@@ -37,7 +37,7 @@ def stitch(photographs: Union[Path, Sequence[Photograph]], *, rig: Optional[Rig]
     params: weights and resolution of the estimation
     projection: 'plane', 'spherical', 'cylindrical', ..; empty: chosen
     megapix: size of a photograph in the picture, million pixels; 0: as it is
-    progress: called as progress(stage, fraction); stages are 'cameras', 'align' and 'render'. True shows a bar
+    progress: called as progress(stage, fraction); stages are 'features', 'cameras', 'align' and 'render', and of a rig 'render'. True shows a bar
     Raises NoAlignmentError where the photographs do not match, CancelledError where `progress` said stop."""
     images = arrays_of(photographs)
     with shown(progress) as function:
@@ -48,11 +48,17 @@ def stitch(photographs: Union[Path, Sequence[Photograph]], *, rig: Optional[Rig]
     return Panorama(made.picture, made.mask, made.rig, made.used, made.decisions)
 
 
-def estimate_cameras(photographs: Union[Path, Sequence[Photograph]], *, projection: str = "", work_megapix: float = 0.6) -> CameraEstimate:
+def estimate_cameras(photographs: Union[Path, Sequence[Photograph]], *, projection: str = "", work_megapix: float = 0.6,
+                     focal: Sequence[float] = (), progress: Progress = None) -> CameraEstimate:
     """Cameras and a projection for photographs that overlap; align_rig() takes them.
 
-    Raises NoAlignmentError where there are none."""
-    estimate = _gcpw.estimate_cameras(arrays_of(photographs), projection, work_megapix)
+    focal: focal length of each photograph in its pixels, as its file may note it, 0 where it is not known: a start of the search
+    where the matches do not say enough
+    progress: called as progress(stage, fraction); stages are 'features' and 'cameras'. True shows a bar
+    Raises NoAlignmentError where there are none, CancelledError where `progress` said stop."""
+    images = arrays_of(photographs)
+    with shown(progress) as function:
+        estimate = _gcpw.estimate_cameras(images, projection, work_megapix, focal, function)
     if not estimate.ok:
         raise _gcpw.NoAlignmentError(estimate.decisions[-1] if estimate.decisions else "no two of the photographs match")
     return estimate

@@ -29,26 +29,6 @@ py::dict energiesOf(const std::vector<TermEnergy>& energies)
     return values;
 }
 
-std::string stopOf(const LevelReport& level)
-{
-    switch (level.stop)
-    {
-    case StopReason::ITERATION_LIMIT:
-        return "iteration_limit";
-    case StopReason::MESH_STABLE:
-        return "mesh_stable";
-    case StopReason::ENERGY_STABLE:
-        return "energy_stable";
-    case StopReason::NO_DESCENT:
-        return "no_descent";
-    case StopReason::SINGULAR:
-        return "singular";
-    case StopReason::CANCELLED:
-        return "cancelled";
-    }
-    return "unknown";
-}
-
 void bindReport(py::module_& module)
 {
     py::class_<PairReport>(module, "PairReport", "What was found between two images.")
@@ -65,9 +45,9 @@ void bindReport(py::module_& module)
         .def_readonly("iterations", &LevelReport::iterations)
         .def_property_readonly("start", [](const LevelReport& self) { return energiesOf(self.start); })
         .def_property_readonly("end", [](const LevelReport& self) { return energiesOf(self.end); })
-        .def_property_readonly("stop", &stopOf);
+        .def_property_readonly("stop", [](const LevelReport& self) { return toString(self.stop); });
     py::class_<Report>(module, "Report", "How an alignment came about.")
-        .def_property_readonly("status", [](const Report& self) { return nameOf(self.status); })
+        .def_property_readonly("status", [](const Report& self) { return toString(self.status); })
         .def_readonly("message", &Report::message)
         .def_readonly("levels", &Report::levels)
         .def_readonly("pairs", &Report::pairs)
@@ -85,7 +65,7 @@ void bindReport(py::module_& module)
                                    times["total"] = self.timings_ms.total;
                                    return times;
                                })
-        .def("__repr__", [](const Report& self) { return "<gcpw.Report " + nameOf(self.status) + ">"; });
+        .def("__repr__", [](const Report& self) { return std::string("<gcpw.Report ") + toString(self.status) + ">"; });
 }
 
 void bindImage(py::module_& module)
@@ -121,7 +101,7 @@ void bindAlignment(py::module_& module)
     bindImage(module);
     py::class_<Alignment>(module, "Alignment", "The result of an alignment: a mesh and colours of each image, and a report.")
         .def_property_readonly("ok", &Alignment::ok, "Whether the images were refined as asked.")
-        .def_property_readonly("status", [](const Alignment& self) { return nameOf(self.report().status); },
+        .def_property_readonly("status", [](const Alignment& self) { return toString(self.report().status); },
                                "'ok', 'rough', 'no_alignment' or 'cancelled'.")
         .def_property_readonly("message", [](const Alignment& self) { return self.report().message; },
                                "Why the status is not 'ok', or what is missing although it is; else empty.")
@@ -147,7 +127,7 @@ void bindAlignment(py::module_& module)
         .def_static("load", [](const std::filesystem::path& path) { return readFrom(path, &Alignment::load); }, py::arg("path"),
                     "Reads what save() wrote.")
         .def("__repr__", [](const Alignment& self)
-             { return cv::format("<gcpw.Alignment of %d images: %s>", self.imageCount(), nameOf(self.report().status).c_str()); });
+             { return cv::format("<gcpw.Alignment of %d images: %s>", self.imageCount(), toString(self.report().status)); });
     module.def("align_images", &alignImages, py::arg("corners"), py::arg("images"), py::arg("masks"), py::arg("params"),
                py::arg("progress"));
 }

@@ -151,19 +151,3 @@ void bindErrors(py::module_& module)
         }
     });
 }
-
-std::string nameOf(cv::gcpw::Status status)
-{
-    switch (status)
-    {
-    case cv::gcpw::Status::OK:
-        return "ok";
-    case cv::gcpw::Status::ROUGH:
-        return "rough";
-    case cv::gcpw::Status::NO_ALIGNMENT:
-        return "no_alignment";
-    case cv::gcpw::Status::CANCELLED:
-        return "cancelled";
-    }
-    return "unknown";
-}

@@ -100,9 +100,6 @@ void writeTo(const std::filesystem::path& path, const Save& save)
 /// Makes the exceptions of the package, and lets those of C++ arrive as these.
 void bindErrors(pybind11::module_& module);
 
-/// "ok", "rough", "no_alignment" or "cancelled".
-std::string nameOf(cv::gcpw::Status status);
-
 /// One of a few names, each with its value. Throws cv::Exception that lists them.
 template <typename Value, size_t COUNT>
 Value choose(const std::string& what, const std::string& name, const std::pair<const char*, Value> (&choices)[COUNT])

@@ -63,7 +63,7 @@ void bindMatches(py::module_& module)
 {
     py::class_<PairMatches>(module, "PairMatches", "What two photographs have in common, found once or given by another matcher.")
         .def(py::init<>())
-        .def_property_readonly("status", [](const PairMatches& self) { return nameOf(self.status); })
+        .def_property_readonly("status", [](const PairMatches& self) { return toString(self.status); })
         .def_readonly("message", &PairMatches::message)
         .def_property("source_size", [](const PairMatches& self) { return std::make_pair(self.source_size.width, self.source_size.height); },
                       [](PairMatches& self, std::pair<int, int> size) { self.source_size = cv::Size(size.first, size.second); })

@@ -22,20 +22,6 @@ std::vector<cv::Mat> bgrPictures(const std::vector<cv::Mat>& photographs)
     return images;
 }
 
-/// What a status of cv::Stitcher means, and what to do.
-std::string explain(cv::Stitcher::Status status)
-{
-    switch (status)
-    {
-    case cv::Stitcher::ERR_NEED_MORE_IMGS:
-        return "no two of the photographs match; let a third of each overlap";
-    case cv::Stitcher::ERR_HOMOGRAPHY_EST_FAIL:
-        return "no cameras fit the matches; leave out photographs that do not belong to the others";
-    default:
-        return "the cameras could not be adjusted to the matches; leave out photographs that do not belong to the others";
-    }
-}
-
 /// Throws cv::Exception that names a photograph which is not of the size that camera `index` of the rig was made with.
 void checkSize(const Rig& rig, size_t index, cv::Size size, int photograph)
 {
@@ -114,11 +100,10 @@ Panorama stitchPhotographs(const std::vector<cv::Mat>& photographs, const Params
         CV_Error(cv::Error::StsBadArg, cv::format("two photographs or more are needed; %zu given", photographs.size()));
     params.check();
     const std::vector<cv::Mat> images = bgrPictures(photographs);
-    watch.tell("cameras", 0);
     CameraOptions options;
     options.workMegapix = params.workMegapix;
     options.projection = projection;
-    const CameraEstimate estimate = estimateCameras(images, options);
+    const CameraEstimate estimate = estimateCameras(images, options, watch.progress());
     watch.tell("cameras", 1);
     if (!estimate.ok())
         throw NoAlignment(estimate.decisions.empty() ? explain(cv::Stitcher::ERR_NEED_MORE_IMGS) : estimate.decisions.back());

@@ -22,14 +22,16 @@ Panorama stitchOf(const std::vector<Pixels>& photographs, const Params& params, 
     return watch.run([&] { return stitchPhotographs(images, params, projection, megapix, watch); });
 }
 
-CameraEstimate estimateOf(const std::vector<Pixels>& photographs, const std::string& projection, double megapix)
+CameraEstimate estimateOf(const std::vector<Pixels>& photographs, const std::string& projection, double megapix,
+                          const std::vector<double>& focal, const py::object& progress)
 {
+    Watch watch(progress);
     const std::vector<cv::Mat> images = matsOf(photographs);
-    py::gil_scoped_release unlocked;
     CameraOptions options;
     options.projection = projection;
     options.workMegapix = megapix;
-    return estimateCameras(images, options);
+    options.focal = focal;
+    return watch.run([&] { return estimateCameras(images, options, watch.progress()); });
 }
 
 Rig alignEstimate(const CameraEstimate& estimate, const Params& params, const py::object& progress)
@@ -58,6 +60,7 @@ void bindStitch(py::module_& module)
         .def_readonly("decisions", &CameraEstimate::decisions, "One sentence for each choice that was made.");
     module.def("stitch", &stitchOf, py::arg("photographs"), py::arg("params"), py::arg("projection"), py::arg("megapix"),
                py::arg("progress"));
-    module.def("estimate_cameras", &estimateOf, py::arg("photographs"), py::arg("projection"), py::arg("megapix"));
+    module.def("estimate_cameras", &estimateOf, py::arg("photographs"), py::arg("projection"), py::arg("megapix"),
+               py::arg("focal"), py::arg("progress"));
     module.def("align_estimate", &alignEstimate, py::arg("estimate"), py::arg("params"), py::arg("progress"));
 }

@@ -92,6 +92,15 @@ def test_what_is_wrong_with_an_argument_is_named(pair):
         gcpw.align_pair("nowhere.jpg", pair[1])
 
 
+def test_sixteen_bits_stay_sixteen(pair):
+    deep = [image.astype(numpy.uint16) * 257 for image in pair]
+    picture = gcpw.stitch_pair(*deep)
+    assert picture.dtype == numpy.uint16
+    eight = gcpw.stitch_pair(*pair)
+    assert picture.shape == eight.shape
+    assert abs(picture / 257 - eight).mean() < 3, "of another alignment"
+
+
 def test_progress_is_told_and_can_cancel(pair):
     seen = []
     gcpw.align_pair(*pair, progress=lambda stage, fraction: seen.append((stage, fraction)))

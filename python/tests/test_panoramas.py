@@ -66,6 +66,12 @@ def test_cameras_and_rig_can_be_had_one_by_one(strip):
     estimate = gcpw.estimate_cameras(strip)
     assert len(estimate.cameras) == 3 and estimate.ok
     assert gcpw.align_rig(estimate).usable
+    noted = gcpw.estimate_cameras(strip, focal=[0, 300, 0])
+    assert len(noted.cameras) == 3 and noted.component == estimate.component
+    with pytest.raises(ValueError, match="focal"):
+        gcpw.estimate_cameras(strip, focal=[300])
+    with pytest.raises(gcpw.CancelledError):
+        gcpw.estimate_cameras(strip, progress=lambda stage, fraction: stage != "cameras")
 
 
 def test_a_rig_of_cameras_of_somebody_else(pair):
@@ -114,7 +120,8 @@ def test_images_on_a_canvas_are_aligned(pair):
 def test_progress_tells_all_stages_and_can_cancel(strip):
     stages = []
     gcpw.stitch(strip, progress=lambda stage, fraction: stages.append(stage))
-    assert stages[0] == "cameras" and stages[-1] == "render" and "align" in stages
+    assert stages[0] == "features" and stages[-1] == "render" and {"cameras", "align"} <= set(stages)
+    assert stages.count("cameras") >= len(strip), "a step for each pair"
     with pytest.raises(gcpw.CancelledError):
         gcpw.stitch(strip, progress=lambda stage, fraction: stage != "align")
 

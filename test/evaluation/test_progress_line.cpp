@@ -26,7 +26,17 @@ TEST(ProgressLine, one_that_is_not_shown_asks_for_nothing)
     ProgressLine line({{"a", 1}, {"b", 0}}, false);
     line.begin("b");
     line.show(0.5);
-    EXPECT_FALSE(static_cast<bool>(line.callback()));
+    EXPECT_FALSE(static_cast<bool>(line.callback({{"features", 1}})));
+}
+
+TEST(ProgressLine, stages_take_their_share_of_the_whole)
+{
+    const std::vector<ProgressLine::Stage> stages = {{"a", 1}, {"b", 3}, {"c", 4}};
+    EXPECT_DOUBLE_EQ(ProgressLine::doneOf(stages, 0, 0), 0);
+    EXPECT_DOUBLE_EQ(ProgressLine::doneOf(stages, 0, 1), 0.125);
+    EXPECT_DOUBLE_EQ(ProgressLine::doneOf(stages, 1, 0), 0.125);
+    EXPECT_DOUBLE_EQ(ProgressLine::doneOf(stages, 1, 0.5), 0.3125);
+    EXPECT_DOUBLE_EQ(ProgressLine::doneOf(stages, 2, 1), 1);
 }
 
 } // namespace

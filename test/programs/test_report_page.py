@@ -116,6 +116,17 @@ def works(bench, folder):
         bench.check(not asked, f"{folder}: asks for {asked}")
 
 
+def shows_what_was_written(bench, folder, output, is_cropped):
+    """The size that the page tells is that of the file, and its picture has that shape."""
+    text = bench.path(folder + "/index.html").read_text(encoding="utf-8")
+    width, height, _ = bench.png(output)
+    bench.check(f"{width} &times; {height} px" in text, f"{folder}: does not say that the picture is {width} x {height} px")
+    bench.check(("cropped from" in text) == is_cropped, f"{folder}: cropped is {is_cropped}, and the page does not agree")
+    shown = re.search(r"aspect-ratio: (\d+) / (\d+)", text)
+    ratio = int(shown.group(1)) / int(shown.group(2))
+    bench.check(not is_cropped or abs(ratio / (width / height) - 1) < 0.01, f"{folder}: the picture on the page is {shown.group()}")
+
+
 def tells_failure(bench, source):
     """Where there is no picture, the page says why."""
     bench.flat_image("gray.pgm")
@@ -140,6 +151,8 @@ def test(bench):
     bench.run("gcpw_pair", source, target, *QUICK, "--blend=average", "--output=mean.png", "--report=mean")
     holds_everything(bench, "pair", "Homography", "GCPW")
     holds_everything(bench, "panorama", "cv::Stitcher", "GCPW")
+    for folder, output, is_cropped in (("pair", "pair.png", False), ("panorama", "panorama.png", True), ("plain", "plain.png", True)):
+        shows_what_was_written(bench, folder, output, is_cropped)
     plain = bench.path("plain/index.html").read_text(encoding="utf-8")
     bench.check("id=\"split\"" not in plain and "class=\"viewer\"" in plain, "OpenCV alone is compared with itself")
     tells_failure(bench, source)

@@ -34,7 +34,8 @@ TEST(Report_Page, without_a_picture_the_reason_and_the_photographs_are_shown)
     EXPECT_FALSE(says(html, "class=\"viewer\""));
 }
 
-TEST(Report_Page, a_pair_lies_in_one_frame_with_its_homography)
+/// A pair that was stitched.
+report::PairRun stitchedPair()
 {
     report::PairRun run;
     run.program = "gcpw_pair";
@@ -45,9 +46,53 @@ TEST(Report_Page, a_pair_lies_in_one_frame_with_its_homography)
     params.meshCols = params.meshRows = 8;
     params.workMegapix = 0.1;
     run.alignment = cv::gcpw::alignPair(run.source, run.target, params);
-    ASSERT_TRUE(run.alignment.ok());
     run.canvas = cv::gcpw::renderPair(run.alignment, run.source, run.target, run.view);
     run.panorama = cv::gcpw::blendPair(run.canvas, run.blend);
+    return run;
+}
+
+TEST(Report_Page, a_page_shows_what_was_written)
+{
+    report::PairRun run = stitchedPair();
+    const report::Page whole = pageOf(run);
+    EXPECT_EQ(whole.size, run.panorama.size());
+    EXPECT_EQ(whole.frame, whole.after.place() | whole.before.place());
+    EXPECT_FALSE(says(htmlOf(whole), "cropped"));
+
+    run.crop = cv::Rect(100, 40, run.panorama.cols - 220, run.panorama.rows - 90);
+    const report::Page page = pageOf(run);
+    EXPECT_EQ(page.size, run.crop.size());
+    const double scale = static_cast<double>(page.after.image.cols) / run.panorama.cols;
+    EXPECT_NEAR(page.frame.x - page.after.origin.x, scale * run.crop.x, 1);
+    EXPECT_NEAR(page.frame.height, scale * run.crop.height, 1);
+    cv::Mat beside = page.after.labels.of.clone();
+    ASSERT_GT(cv::countNonZero(whole.after.labels.of >= 0), cv::countNonZero(beside >= 0));
+    beside(page.frame - page.after.labels.origin).setTo(-1);
+    EXPECT_EQ(cv::countNonZero(beside >= 0), 0) << "cuts count that nobody sees";
+    EXPECT_TRUE(says(htmlOf(page), cv::format("%d &times; %d px, cropped from %d &times; %d", run.crop.width,
+                                              run.crop.height, run.panorama.cols, run.panorama.rows)));
+}
+
+TEST(Report_Page, a_pair_of_sixteen_bits_is_shown_as_one_of_eight)
+{
+    report::PairRun run = stitchedPair();
+    const report::Page eight = pageOf(run);
+    for (cv::Mat* picture : {&run.source, &run.target})
+        picture->convertTo(*picture, CV_16U, 257);
+    run.canvas = cv::gcpw::renderPair(run.alignment, run.source, run.target, run.view);
+    run.panorama = cv::gcpw::blendPair(run.canvas, run.blend);
+    ASSERT_EQ(run.panorama.type(), CV_16UC3);
+    const report::Page page = pageOf(run);
+    ASSERT_EQ(page.after.image.type(), CV_8UC3);
+    const double values = 3.0 * static_cast<double>(eight.after.image.total());
+    EXPECT_LT(cv::norm(page.after.image, eight.after.image, cv::NORM_L1) / values, 3);
+    EXPECT_EQ(page.after.images[0].image.type(), CV_8UC3);
+}
+
+TEST(Report_Page, a_pair_lies_in_one_frame_with_its_homography)
+{
+    const report::PairRun run = stitchedPair();
+    ASSERT_TRUE(run.alignment.ok());
     const report::Page page = pageOf(run);
     // The target is not warped by either method, so that both pictures show it at the same place.
     const evaluation::WarpedImage& before = page.before.images[1];

@@ -4,6 +4,7 @@
 #include "test_precomp.hpp"
 
 #include <limits>
+#include <set>
 #include "refusal.hpp"
 
 namespace opencv_test
@@ -117,6 +118,22 @@ TEST(Gcpw_Alignment, a_status_that_does_not_exist_is_refused)
     Report report;
     report.status = static_cast<Status>(77);
     opencv_test::expectRefused([&] { Alignment({restingImage()}, Size2d(1, 1), report); }, "77");
+}
+
+TEST(Gcpw_Alignment, a_status_and_a_reason_to_stop_have_names_of_their_own)
+{
+    std::set<std::string> names;
+    for (const Status status : {Status::OK, Status::ROUGH, Status::NO_ALIGNMENT, Status::CANCELLED})
+        names.insert(toString(status));
+    EXPECT_EQ(names, (std::set<std::string>{"ok", "rough", "no_alignment", "cancelled"}));
+    names.clear();
+    for (int reason = static_cast<int>(StopReason::ITERATION_LIMIT); reason <= static_cast<int>(StopReason::CANCELLED);
+         ++reason)
+        names.insert(toString(static_cast<StopReason>(reason)));
+    EXPECT_EQ(names.size(), size_t(6));
+    EXPECT_EQ(names.count("unknown"), size_t(0));
+    EXPECT_STREQ(toString(static_cast<Status>(9)), "unknown");
+    EXPECT_STREQ(toString(static_cast<StopReason>(9)), "unknown");
 }
 
 TEST(Gcpw_Alignment, an_image_that_is_not_there_is_named)

@@ -71,6 +71,49 @@ TEST(Gcpw_CameraSearch, where_single_focal_lengths_explode_all_get_one)
     EXPECT_TRUE(says(choice, "were not taken"));
 }
 
+/// Links of narrow views of which noise hides the focal length: homographies of any of them fit as well.
+LinkedImages narrowViews(double focal, uint64_t seed, double noise_px)
+{
+    std::vector<gcpw::Link> links = linksOfTurning({turnOf(-0.06), turnOf(0), turnOf(0.05, 0.01), turnOf(0.1)}, focal);
+    RNG rng = seeded(seed);
+    for (gcpw::Link& link : links)
+        for (Point2f& p : link.points_b)
+            p += Point2f(static_cast<float>(rng.gaussian(noise_px)), static_cast<float>(rng.gaussian(noise_px)));
+    return linkedBy(4, links);
+}
+
+TEST(Gcpw_CameraSearch, noted_focal_lengths_are_a_start_also_where_a_file_notes_none)
+{
+    LinkedImages images = linkedBy(4, linksOfTurning(strip(), 600));
+    std::vector<cv::detail::CameraParams> cameras;
+    EXPECT_FALSE(gcpw::fitCameras(images, 1, CameraModel::TURNING_NOTED, cameras)) << "none is noted";
+    images.focals = {580, 0, 620, 640};
+    ASSERT_TRUE(gcpw::fitCameras(images, 1, CameraModel::TURNING_NOTED, cameras));
+    for (const cv::detail::CameraParams& camera : cameras)
+        EXPECT_NEAR(camera.focal, 600, 12) << "the matches have the last word";
+    images.focals = {580, 0, 0, 640};
+    const LinkedImages part = gcpw::subset(images, {1, 3});
+    EXPECT_EQ(part.focals, (std::vector<double>{0, 640}));
+    EXPECT_TRUE(gcpw::notesFocal(part));
+    EXPECT_FALSE(gcpw::notesFocal(gcpw::subset(images, {1, 2})));
+}
+
+TEST(Gcpw_CameraSearch, noted_focal_lengths_are_tried_only_where_the_matches_leave_room_and_replace_nothing)
+{
+    const std::string noted = "the focal lengths that the files note";
+    LinkedImages clear = linkedBy(4, linksOfTurning(strip(), 600));
+    clear.focals = {900, 900, 900, 900};
+    EXPECT_FALSE(says(found(clear), noted));
+    EXPECT_NEAR(found(clear).cameras[0].focal, 600, 12) << "what a file notes wrongly has no effect";
+    LinkedImages noisy = narrowViews(4000, 1, 3);
+    const CameraChoice without = found(noisy);
+    EXPECT_FALSE(says(without, noted));
+    noisy.focals = {4000, 0, 4000, 4000};
+    const CameraChoice with = found(noisy);
+    EXPECT_TRUE(says(with, noted)) << "not tried, or not told";
+    EXPECT_EQ(with.cameras[0].focal, without.cameras[0].focal) << "it fits the matches no better";
+}
+
 /// Of a camera that moves along a wall by so many pixels from shot to shot.
 std::vector<gcpw::Link> linksAlongAWall(int count, double step_px)
 {

@@ -3,6 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "test_precomp.hpp"
 
+#include <map>
+#include <set>
+#include <utility>
 #include "cameras/link_check.hpp"
 #include "stitch_scene.hpp"
 
@@ -141,6 +144,62 @@ TEST(Gcpw_EstimateCameras, its_cameras_and_rig_are_those_of_a_stitcher_with_such
     EXPECT_EQ(binding->rig().projection, estimate.projection);
 }
 
+TEST(Gcpw_EstimateCameras, progress_tells_each_photograph_and_each_pair_and_changes_nothing)
+{
+    const std::vector<Mat> images = photographsOf({cameraAt(-0.4), cameraAt(0), cameraAt(0.4)});
+    std::vector<std::pair<std::string, double>> told;
+    const CameraEstimate estimate = gcpw::estimateCameras(images, gcpw::CameraOptions(),
+                                                          [&](const std::string& stage, double fraction)
+                                                          {
+        told.emplace_back(stage, fraction);
+        return true;
+    });
+    const CameraEstimate silent = gcpw::estimateCameras(images);
+    EXPECT_EQ(estimate.decisions, silent.decisions);
+    EXPECT_EQ(estimate.cameras[0].focal, silent.cameras[0].focal);
+    std::map<std::string, std::set<double>> fractions;
+    for (size_t i = 0; i < told.size(); ++i)
+    {
+        fractions[told[i].first].insert(told[i].second);
+        if (i > 0 && told[i].first == told[i - 1].first)
+            EXPECT_GE(told[i].second, told[i - 1].second) << "time runs backwards";
+    }
+    EXPECT_EQ(fractions["features"].size(), size_t(4)) << "none, and each of three photographs";
+    EXPECT_EQ(fractions["cameras"].size(), size_t(5)) << "none, each of three pairs, and the cameras";
+    EXPECT_EQ(*fractions["cameras"].rbegin(), 1.0);
+}
+
+TEST(Gcpw_EstimateCameras, cancelled_at_any_time_it_has_no_cameras)
+{
+    const std::vector<Mat> images = photographsOf({cameraAt(-0.4), cameraAt(0), cameraAt(0.4)});
+    for (const std::string at : {"features", "cameras"})
+    {
+        int calls = 0;
+        const CameraEstimate estimate = gcpw::estimateCameras(images, gcpw::CameraOptions(),
+                                                              [&](const std::string& stage, double)
+                                                              {
+            calls += stage == at ? 1 : 0;
+            return stage != at;
+        });
+        EXPECT_EQ(calls, 1) << "called again after it said stop";
+        EXPECT_FALSE(estimate.ok());
+        ASSERT_FALSE(estimate.decisions.empty());
+        EXPECT_NE(estimate.decisions.back().find("cancelled"), std::string::npos);
+    }
+}
+
+TEST(Gcpw_EstimateCameras, the_median_focal_length_is_that_of_a_stitcher)
+{
+    std::vector<cv::detail::CameraParams> cameras(4);
+    const double focals[] = {900, 300, 500, 400};
+    for (size_t i = 0; i < cameras.size(); ++i)
+        cameras[i].focal = focals[i];
+    EXPECT_EQ(gcpw::medianFocal(cameras), 450.F);
+    cameras.pop_back();
+    EXPECT_EQ(gcpw::medianFocal(cameras), 500.F);
+    EXPECT_THROW(gcpw::medianFocal(std::vector<cv::detail::CameraParams>()), cv::Exception);
+}
+
 TEST(Gcpw_EstimateCameras, bad_input_is_refused)
 {
     const std::vector<Mat> images = {Mat(60, 80, CV_8UC3, Scalar::all(9)), Mat(60, 80, CV_8UC3, Scalar::all(9))};
@@ -152,6 +211,11 @@ TEST(Gcpw_EstimateCameras, bad_input_is_refused)
     EXPECT_THROW(gcpw::estimateCameras(images, options), cv::Exception);
     options = gcpw::CameraOptions();
     options.projection = "ball";
+    EXPECT_THROW(gcpw::estimateCameras(images, options), cv::Exception);
+    options = gcpw::CameraOptions();
+    options.focal = {500};
+    EXPECT_THROW(gcpw::estimateCameras(images, options), cv::Exception) << "one length for two photographs";
+    options.focal = {500, -1};
     EXPECT_THROW(gcpw::estimateCameras(images, options), cv::Exception);
     EXPECT_THROW(gcpw::alignRig(CameraEstimate()), cv::Exception);
 }

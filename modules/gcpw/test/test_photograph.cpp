@@ -46,6 +46,23 @@ TEST(Gcpw_Photograph, sixteen_bits_are_scaled_so_that_white_stays_white)
     EXPECT_EQ(toPhotograph(white, "source").image.at<Vec3b>(0, 0), Vec3b(255, 255, 255));
 }
 
+TEST(Gcpw_Photograph, sixteen_bits_are_kept_where_they_are_asked_for)
+{
+    Mat deep(10, 20, CV_16UC3);
+    seeded(3).fill(deep, RNG::UNIFORM, 0, 65536);
+    EXPECT_EQ(cv::norm(toPhotograph(deep, "source", CV_16U).image, deep, NORM_INF), 0);
+    const Mat eight = randomImage(Size(20, 10), CV_8UC3);
+    const Mat raised = toPhotograph(eight, "source", CV_16U).image;
+    ASSERT_EQ(raised.type(), CV_16UC3);
+    EXPECT_EQ(cv::norm(toDepth(raised, CV_8U), eight, NORM_INF), 0);
+    EXPECT_EQ(raised.at<Vec3w>(2, 3)[1], 257 * eight.at<Vec3b>(2, 3)[1]);
+    Mat hidden(10, 20, CV_16UC4, Scalar(1000, 2000, 3000, 65535));
+    hidden.at<Vec4w>(4, 4) = Vec4w(9, 9, 9, 0);
+    const Photograph photograph = toPhotograph(hidden, "source", CV_16U);
+    EXPECT_EQ(photograph.mask.at<uchar>(4, 4), 0);
+    EXPECT_EQ(photograph.image.at<Vec3w>(4, 4), Vec3w(1000, 2000, 3000)) << "not that of a neighbour";
+}
+
 TEST(Gcpw_Photograph, alpha_above_half_is_valid)
 {
     Mat image = randomImage(Size(20, 10), CV_8UC4);

@@ -4,6 +4,7 @@
 #include "test_precomp.hpp"
 
 #include <atomic>
+#include <set>
 #include "refusal.hpp"
 #include "stitch_scene.hpp"
 
@@ -120,6 +121,16 @@ TEST(Gcpw_StitcherTrouble, an_affine_map_beyond_any_canvas_is_refused_and_not_wr
         const gcpw::Rig rig = gcpw::alignRig(images, {distant, close_by}, makePtr<cv::AffineWarper>());
         EXPECT_NE(rig.alignment.report().message.find("beyond any canvas"), std::string::npos) << rig.alignment.report().message;
     }
+}
+
+TEST(Gcpw_StitcherTrouble, each_status_is_explained_in_words_of_its_own)
+{
+    std::set<std::string> sentences;
+    for (const Stitcher::Status status : {Stitcher::OK, Stitcher::ERR_NEED_MORE_IMGS, Stitcher::ERR_HOMOGRAPHY_EST_FAIL,
+                                          Stitcher::ERR_CAMERA_PARAMS_ADJUST_FAIL})
+        sentences.insert(gcpw::explain(status));
+    EXPECT_EQ(sentences.size(), size_t(4));
+    EXPECT_EQ(sentences.count("unknown status"), size_t(0));
 }
 
 TEST(Gcpw_StitcherTrouble, too_few_images_are_refused_as_ever)

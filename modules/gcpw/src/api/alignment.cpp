@@ -51,6 +51,42 @@ void checkImage(const Alignment::Image& image, size_t index)
 
 } // namespace
 
+const char* toString(Status status)
+{
+    switch (status)
+    {
+    case Status::OK:
+        return "ok";
+    case Status::ROUGH:
+        return "rough";
+    case Status::NO_ALIGNMENT:
+        return "no_alignment";
+    case Status::CANCELLED:
+        return "cancelled";
+    }
+    return "unknown";
+}
+
+const char* toString(StopReason reason)
+{
+    switch (reason)
+    {
+    case StopReason::ITERATION_LIMIT:
+        return "iteration_limit";
+    case StopReason::MESH_STABLE:
+        return "mesh_stable";
+    case StopReason::ENERGY_STABLE:
+        return "energy_stable";
+    case StopReason::NO_DESCENT:
+        return "no_descent";
+    case StopReason::SINGULAR:
+        return "singular";
+    case StopReason::CANCELLED:
+        return "cancelled";
+    }
+    return "unknown";
+}
+
 Alignment::Alignment(const std::vector<Image>& images, Size2d canvas_scale, const Report& report)
     : images_(images), canvas_scale_(canvas_scale), report_(report)
 {

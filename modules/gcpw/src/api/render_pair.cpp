@@ -81,7 +81,7 @@ void place(const Photograph& target, Rect place, Size canvas, Mat& image, Mat& m
     mask(place).setTo(255);
     if (!target.mask.empty())
         target.mask.copyTo(mask(place));
-    image = Mat::zeros(canvas, CV_8UC3);
+    image = Mat::zeros(canvas, target.image.type());
     target.image.copyTo(image(place), mask(place));
 }
 
@@ -120,11 +120,13 @@ PairCanvas renderPair(const Alignment& alignment, InputArray source_input, Input
     checkView(view);
     CV_CheckEQ(alignment.imageCount(), 2, "gcpw: renderPair() takes the result of a successful alignPair()");
     const Alignment::Image& image = alignment.image(0);
-    Placed source{toPhotograph(source_input, "source"), meshOf(image), FrameScale(),
+    const bool is_deep = source_input.depth() == CV_16U || target_input.depth() == CV_16U;
+    const int depth = is_deep ? CV_16U : CV_8U;
+    Placed source{toPhotograph(source_input, "source", depth), meshOf(image), FrameScale(),
                   FrameScale(image.work_size, image.full_size)};
     source.canvas.x = alignment.canvasScale().width;
     source.canvas.y = alignment.canvasScale().height;
-    const Placed target = placedTarget(toPhotograph(target_input, "target"), source.mesh.lattice());
+    const Placed target = placedTarget(toPhotograph(target_input, "target", depth), source.mesh.lattice());
     checkSize(source.photograph.image, image.full_size, "source");
     checkSize(target.photograph.image, alignment.image(1).full_size, "target");
     const Size target_size = target.photograph.image.size();
@@ -151,7 +153,7 @@ PairCanvas renderPair(const Alignment& alignment, InputArray source_input, Input
     canvas.canvas_from_target = Mat(to_canvas * (1 / to_canvas(2, 2)));
     canvas.target_origin = shown.show(Point2d()) - Point2d(roi.tl());
 
-    canvas.mesh = blendPair(canvas, Blend::AVERAGE);
+    canvas.mesh = toDepth(blendPair(canvas, Blend::AVERAGE), CV_8U);
     drawMesh(viewed(source.mesh, source.canvas, shown), FrameScale(), roi.tl(), canvas.mesh);
     return canvas;
 }
@@ -173,7 +175,8 @@ void blendPair(const PairCanvas& canvas, Blend blend, OutputArray picture)
 
 Score scorePair(const PairCanvas& canvas)
 {
-    return scoreOverlap(canvas.source, canvas.target, canvas.source_mask & canvas.target_mask);
+    return scoreOverlap(toDepth(canvas.source, CV_8U), toDepth(canvas.target, CV_8U),
+                        canvas.source_mask & canvas.target_mask);
 }
 
 bool stitchPair(InputArray source, InputArray target, OutputArray panorama, const Params& params, Blend blend, View view)

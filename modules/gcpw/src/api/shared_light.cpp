@@ -7,6 +7,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include "api/estimate_colors.hpp"
+#include "imaging/photograph.hpp"
 #include "rendering/color_field.hpp"
 
 namespace cv
@@ -33,6 +34,7 @@ Reduced reduced(const Mat& image, const Mat& mask, Rect part, double scale)
     Reduced result{Mat(), Mat(), Point(cvRound(part.x * scale), cvRound(part.y * scale))};
     resize(image(part), result.image, size, 0, 0, INTER_AREA);
     resize(mask(part), result.mask, size, 0, 0, INTER_AREA);
+    result.image = toDepth(result.image, CV_8U);
     result.mask = result.mask == 255; // the others are mixed with black
     return result;
 }

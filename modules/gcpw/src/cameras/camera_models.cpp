@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "cameras/camera_models.hpp"
 
+#include <algorithm>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/stitching/detail/motion_estimators.hpp>
 #include "cameras/rotation_fit.hpp"
@@ -24,9 +25,33 @@ std::vector<Size> sizesOf(const LinkedImages& images)
     return sizes;
 }
 
-bool fitByRay(const LinkedImages& images, double confidence, std::vector<cv::detail::CameraParams>& cameras)
+/// Cameras with the focal lengths that files note, and those of the others like the median of them, in proportion to their sizes.
+std::vector<cv::detail::CameraParams> notedCameras(const LinkedImages& images)
 {
-    cv::detail::HomographyBasedEstimator estimator;
+    std::vector<double> ratios;
+    const auto sideOf = [&](int i)
+    { return static_cast<double>(std::max(images.features[i].img_size.width, images.features[i].img_size.height)); };
+    for (int i = 0; i < images.count(); ++i)
+        if (images.focals[i] > 0)
+            ratios.push_back(images.focals[i] / sideOf(i));
+    std::nth_element(ratios.begin(), ratios.begin() + ratios.size() / 2, ratios.end());
+    const double usual = ratios[ratios.size() / 2];
+    std::vector<cv::detail::CameraParams> cameras(images.features.size());
+    for (int i = 0; i < images.count(); ++i)
+    {
+        cameras[i].focal = images.focals[i] > 0 ? images.focals[i] : usual * sideOf(i);
+        cameras[i].ppx = 0.5 * images.features[i].img_size.width;
+        cameras[i].ppy = 0.5 * images.features[i].img_size.height;
+    }
+    return cameras;
+}
+
+/// @param noted start from the focal lengths that files note, not from those of homographies
+bool fitByRay(const LinkedImages& images, double confidence, bool noted, std::vector<cv::detail::CameraParams>& cameras)
+{
+    if (noted)
+        cameras = notedCameras(images);
+    cv::detail::HomographyBasedEstimator estimator(noted);
     if (!estimator(images.features, images.matches, cameras))
         return false;
     for (cv::detail::CameraParams& camera : cameras)
@@ -79,7 +104,9 @@ bool fitCameras(const LinkedImages& images, double confidence, CameraModel model
         switch (model)
         {
         case CameraModel::TURNING:
-            return fitByRay(images, confidence, cameras);
+            return fitByRay(images, confidence, false, cameras);
+        case CameraModel::TURNING_NOTED:
+            return notesFocal(images) && fitByRay(images, confidence, true, cameras);
         case CameraModel::TURNING_ONE_FOCAL:
             return fitOneFocal(images, confidence, cameras);
         case CameraModel::FLAT:

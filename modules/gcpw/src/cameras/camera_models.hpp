@@ -17,6 +17,7 @@ namespace gcpw
 enum class CameraModel
 {
     TURNING,           ///< every camera turns and has a focal length of its own (OpenCV's estimator and ray adjuster)
+    TURNING_NOTED,     ///< the same, adjusted from the focal lengths that the files note: LinkedImages::focals
     TURNING_ONE_FOCAL, ///< all have the same: fitTurningCameras()
     FLAT,              ///< photographs of a plane, seen straight on: fitSimilarities()
 };

@@ -39,6 +39,8 @@ std::string nameOf(CameraModel model)
     {
     case CameraModel::TURNING:
         return "cameras that turn, each with a focal length of its own";
+    case CameraModel::TURNING_NOTED:
+        return "cameras that turn, from the focal lengths that the files note";
     case CameraModel::TURNING_ONE_FOCAL:
         return "cameras that turn, with one focal length";
     case CameraModel::FLAT:
@@ -160,12 +162,17 @@ CameraChoice searchCameras(const LinkedImages& images, double confidence, const 
             break;
         const LinkedImages part = subset(images, choice.component);
         std::vector<Attempt> attempts;
-        for (const CameraModel model : {CameraModel::TURNING, CameraModel::TURNING_ONE_FOCAL, CameraModel::FLAT})
+        for (const CameraModel model :
+             {CameraModel::TURNING, CameraModel::TURNING_NOTED, CameraModel::TURNING_ONE_FOCAL, CameraModel::FLAT})
         {
+            if (model == CameraModel::TURNING_NOTED && !notesFocal(part))
+                continue;
             if (forced.empty() || (forced == AFFINE) == (model == CameraModel::FLAT))
             {
                 attempts.push_back(attempt(part, stricter * confidence, model, make, forced));
-                if (attempts.back().fault.empty() && attempts.back().misses.most <= ACCURATE)
+                // What files note shortens no search: the matches may fit another model better still.
+                if (model != CameraModel::TURNING_NOTED && attempts.back().fault.empty() &&
+                    attempts.back().misses.most <= ACCURATE)
                     break;
             }
         }

@@ -100,11 +100,18 @@ std::vector<int> largestGroup(const std::vector<int>& groups)
     return largest;
 }
 
+bool notesFocal(const LinkedImages& images)
+{
+    return std::any_of(images.focals.begin(), images.focals.end(), [](double focal) { return focal > 0; });
+}
+
 LinkedImages subset(const LinkedImages& images, const std::vector<int>& chosen)
 {
     LinkedImages part;
     for (const int a : chosen)
         part.features.push_back(images.features[a]);
+    for (size_t i = 0; !images.focals.empty() && i < chosen.size(); ++i)
+        part.focals.push_back(images.focals[chosen[i]]);
     for (size_t i = 0; i < chosen.size(); ++i)
         for (size_t j = 0; j < chosen.size(); ++j)
         {

@@ -17,6 +17,8 @@ struct LinkedImages
 {
     std::vector<cv::detail::ImageFeatures> features; ///< img_idx is the number of the user's image
     std::vector<cv::detail::MatchesInfo> matches;    ///< of every ordered pair: a * count() + b
+    /// Focal lengths that files note, px of the features' images, 0 where one notes none; empty if none of them does.
+    std::vector<double> focals;
 
     int count() const { return static_cast<int>(features.size()); }
     const cv::detail::MatchesInfo& between(int a, int b) const
@@ -51,6 +53,9 @@ std::vector<int> groupsOf(const LinkedImages& images, double confidence);
 
 /// The images of the largest group, ascending; of equals the first.
 std::vector<int> largestGroup(const std::vector<int>& groups);
+
+/// Whether the files of some images note a focal length.
+bool notesFocal(const LinkedImages& images);
 
 /// A part of the images with the matches among them; `chosen` ascending.
 LinkedImages subset(const LinkedImages& images, const std::vector<int>& chosen);

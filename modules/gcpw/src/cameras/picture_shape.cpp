@@ -83,6 +83,7 @@ double medianOf(std::vector<double>& values)
 
 float medianFocal(const std::vector<cv::detail::CameraParams>& cameras)
 {
+    CV_CheckGT(cameras.size(), size_t(0), "gcpw: medianFocal() takes one camera or more");
     std::vector<double> focals;
     for (const cv::detail::CameraParams& camera : cameras)
         focals.push_back(camera.focal);

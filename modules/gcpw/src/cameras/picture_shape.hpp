@@ -9,6 +9,7 @@
 #include <opencv2/stitching/detail/camera.hpp>
 #include <opencv2/stitching/detail/warpers.hpp>
 #include "cameras/linked_images.hpp"
+#include "opencv2/gcpw/cameras.hpp" // medianFocal()
 
 namespace cv
 {
@@ -25,9 +26,6 @@ struct PictureShape
     Size size;         ///< at the resolution of the cameras, px
     std::string fault; ///< what is out of proportion, in words; empty for nothing
 };
-
-/// The median focal length of cameras: the scale that a stitcher gives to its warper.
-float medianFocal(const std::vector<cv::detail::CameraParams>& cameras);
 
 /** @brief Measures the picture.
 @param warper of scale medianFocal()

@@ -16,6 +16,19 @@ namespace cv
 namespace gcpw
 {
 
+namespace
+{
+
+void copyPixel(Mat& image, Point from, Point to)
+{
+    if (image.depth() == CV_16U)
+        image.at<Vec3w>(to) = image.at<Vec3w>(from);
+    else
+        image.at<Vec3b>(to) = image.at<Vec3b>(from);
+}
+
+} // namespace
+
 void checkPhotograph(const Mat& image, const char* name)
 {
     const std::string what = std::string("gcpw: the ") + name + " image ";
@@ -27,16 +40,20 @@ void checkPhotograph(const Mat& image, const char* name)
                  what + "has type " + typeToString(image.type()) + "; pass 8- or 16-bit gray, BGR or BGRA");
 }
 
-Photograph toPhotograph(InputArray input, const char* name)
+Mat toDepth(const Mat& picture, int depth)
 {
-    Mat image = input.getMat();
-    checkPhotograph(image, name);
-    if (image.depth() == CV_16U)
-    {
-        Mat bytes;
-        image.convertTo(bytes, CV_8U, 1.0 / 257.0);
-        image = bytes;
-    }
+    CV_DbgAssert(depth == CV_8U || depth == CV_16U);
+    if (picture.depth() == depth)
+        return picture;
+    Mat result;
+    picture.convertTo(result, depth, depth == CV_16U ? 257.0 : 1 / 257.0);
+    return result;
+}
+
+Photograph toPhotograph(InputArray input, const char* name, int depth)
+{
+    checkPhotograph(input.getMat(), name);
+    const Mat image = toDepth(input.getMat(), depth);
     const int channels = image.channels();
     Photograph photograph;
     if (channels == 1)
@@ -48,7 +65,7 @@ Photograph toPhotograph(InputArray input, const char* name)
         Mat alpha;
         extractChannel(image, alpha, 3);
         cvtColor(image, photograph.image, COLOR_BGRA2BGR);
-        hideOutside(photograph, alpha > 127);
+        hideOutside(photograph, alpha > (depth == CV_16U ? 32767 : 127));
     }
     return photograph;
 }
@@ -79,7 +96,7 @@ void hideOutside(Photograph& photograph, const Mat& valid)
     for (int y = 0; y < image.rows; ++y)
         for (int x = 0; x < image.cols; ++x)
             if (hidden.at<uchar>(y, x))
-                image.at<Vec3b>(y, x) = image.at<Vec3b>(home[labels.at<int>(y, x)]);
+                copyPixel(image, home[labels.at<int>(y, x)], Point(x, y));
 }
 
 Size cappedSize(Size full, double megapix)

@@ -15,7 +15,7 @@ namespace gcpw
 /// An input image in the one form the module works on.
 struct Photograph
 {
-    Mat image; ///< CV_8UC3 BGR; the nearest valid pixel where it is not valid (see hideOutside())
+    Mat image; ///< CV_8UC3 BGR, or CV_16UC3 to be rendered; the nearest valid pixel where it is not valid (see hideOutside())
     Mat mask;  ///< CV_8UC1, 255 where valid; empty means everywhere
 };
 
@@ -24,9 +24,13 @@ struct Photograph
 @throws cv::Exception if the image is empty or of a type not listed there */
 void checkPhotograph(const Mat& image, const char* name);
 
+/// A picture of 8 or 16 bits with those of `depth`, CV_8U or CV_16U: 255 is 65535. The same pixels where it has them already.
+Mat toDepth(const Mat& picture, int depth);
+
 /** @brief Converts what a caller may pass: 8- or 16-bit, gray, BGR or BGRA (alpha > half is valid).
+@param depth of the photograph, CV_8U or CV_16U
 @throws cv::Exception as checkPhotograph() */
-Photograph toPhotograph(InputArray input, const char* name);
+Photograph toPhotograph(InputArray input, const char* name, int depth = CV_8U);
 
 /** @brief Narrows a photograph to the pixels where `valid` (CV_8UC1 of its size) is non-zero.
 

@@ -20,6 +20,8 @@ namespace
 const double SEAM_MEGAPIX = 0.1;  ///< graph cut takes seconds at more, and a seam needs no more
 const double GHOST_MEGAPIX = 0.2; ///< shows signs and lamp posts, which are a few pixels wide there
 const int BANDS = 5;
+/// What the blender gets of 16 bits: it adds up weighted values of two pictures in 15 bits and a sign.
+const double DEEP = 1 / 8.0;
 
 /// Both pictures, reduced to a number of pixels.
 std::array<PlacedPicture, 2> reduced(const TwoImages& images, const TwoMasks& masks, double megapix)
@@ -32,7 +34,7 @@ std::array<PlacedPicture, 2> reduced(const TwoImages& images, const TwoMasks& ma
     {
         Mat image;
         resize(images[i], image, size, 0, 0, INTER_AREA);
-        image.convertTo(small[i].image, CV_32F);
+        image.convertTo(small[i].image, CV_32F, image.depth() == CV_16U ? 1 / 257.0 : 1.0);
         resize(masks[i], small[i].mask, size, 0, 0, INTER_NEAREST);
     }
     return small;
@@ -77,12 +79,13 @@ Mat blendAverage(const TwoImages& images, const TwoMasks& masks)
 Mat blendMultiband(const TwoImages& images, const TwoMasks& masks)
 {
     const std::array<Mat, 2> kept = cutSeam(images, masks);
+    const double scale = images[0].depth() == CV_16U ? DEEP : 1.0;
     cv::detail::MultiBandBlender blender(false, BANDS);
     blender.prepare(Rect(Point(), images[0].size()));
     for (int i = 0; i < 2; ++i)
     {
         Mat wide;
-        images[i].convertTo(wide, CV_16S);
+        images[i].convertTo(wide, CV_16S, scale);
         extendOutside(wide, masks[i]);
         blender.feed(wide, kept[i], Point());
     }
@@ -90,7 +93,7 @@ Mat blendMultiband(const TwoImages& images, const TwoMasks& masks)
     Mat covered;
     blender.blend(blended, covered);
     Mat panorama;
-    blended.convertTo(panorama, CV_8U);
+    blended.convertTo(panorama, images[0].depth(), 1 / scale);
     panorama.setTo(Scalar::all(0), (masks[0] | masks[1]) == 0);
     return panorama;
 }

@@ -14,6 +14,7 @@
 #include "stitching/affine_warper.hpp"
 #include "stitching/image_capture.hpp"
 #include "stitching/seeded_matcher.hpp"
+#include "stitching/steps.hpp"
 #include "stitching/warper_names.hpp"
 
 namespace cv
@@ -53,6 +54,12 @@ std::vector<Mat> checked(InputArrayOfArrays photographs, const CameraOptions& op
     }
     CV_CheckGT(options.workMegapix, 0.0, "gcpw: CameraOptions::workMegapix is million pixels, more than 0");
     CV_CheckGT(options.confidence, 0.0, "gcpw: CameraOptions::confidence is more than 0");
+    if (!options.focal.empty())
+        CV_CheckEQ(options.focal.size(), images.size(),
+                   "gcpw: CameraOptions::focal has one length for each photograph, or none");
+    for (const double focal : options.focal)
+        CV_Check(focal, focal >= 0 && std::isfinite(focal),
+                 "gcpw: CameraOptions::focal is pixels, 0 where it is not known");
     if (!options.projection.empty())
         warperOfName(options.projection);
     return images;
@@ -75,17 +82,45 @@ void keepTheBest(std::vector<cv::detail::MatchesInfo>& matches)
             info.confidence = info.num_inliers / (8 + 0.3 * static_cast<double>(info.matches.size()));
 }
 
-/// Keypoints and matches of all photographs; links that need it are confirmed by the pictures.
-LinkedImages link(const std::vector<Mat>& images, const CameraOptions& options, std::vector<std::string>& decisions)
+/// The keypoints of all photographs.
+std::vector<cv::detail::ImageFeatures> featuresOf(const std::vector<Mat>& images, const CameraOptions& options,
+                                                  Steps& steps)
 {
-    LinkedImages linked;
     const Ptr<Feature2D> finder = finderOf(options);
-    cv::detail::computeImageFeatures(finder, images, linked.features);
-    for (size_t i = 0; i < images.size(); ++i)
-        linked.features[i].img_idx = static_cast<int>(i); // OpenCV leaves it as it is
-    SeededMatcher first(matcherOr(options.matcher, STRICT));
+    std::vector<cv::detail::ImageFeatures> features;
+    steps.begin("features", 0, 1, static_cast<int>(images.size()));
+    for (size_t i = 0; i < images.size() && !steps.cancelled(); ++i)
+    {
+        // As of all at once: that of a single one finds other keypoints.
+        std::vector<cv::detail::ImageFeatures> one;
+        cv::detail::computeImageFeatures(finder, std::vector<Mat>{images[i]}, one);
+        features.push_back(one.at(0));
+        features.back().img_idx = static_cast<int>(i); // OpenCV leaves it as it is
+        steps.next();
+    }
+    return features;
+}
+
+/// Keypoints and matches of all photographs; links that need it are confirmed by the pictures. Not complete if the caller cancels.
+LinkedImages link(const std::vector<Mat>& images, const CameraOptions& options, Steps& steps,
+                  std::vector<std::string>& decisions)
+{
+    const double first_share = 0.8; // of the time that matching and confirming take
+    LinkedImages linked;
+    linked.features = featuresOf(images, options, steps);
+    if (steps.cancelled())
+        return linked;
+    steps.begin("cameras", 0, first_share, linked.count() * (linked.count() - 1) / 2);
+    const auto on_pair = [&steps]
+    {
+        steps.next();
+        return !steps.cancelled();
+    };
+    SeededMatcher first(matcherOr(options.matcher, STRICT), on_pair);
     first(linked.features, linked.matches);
     first.collectGarbage();
+    if (steps.cancelled())
+        return linked;
     keepTheBest(linked.matches);
     const std::vector<int> groups = groupsOf(linked, options.confidence);
     if (*std::max_element(groups.begin(), groups.end()) == 0)
@@ -95,9 +130,12 @@ LinkedImages link(const std::vector<Mat>& images, const CameraOptions& options, 
         for (int b = a + 1; b < linked.count(); ++b)
             mask.at<uchar>(a, b) = groups[a] != groups[b] ? 1 : 0;
     std::vector<cv::detail::MatchesInfo> again;
-    SeededMatcher second(matcherOr(options.secondMatcher, LOOSE));
+    steps.begin("cameras", first_share, 1, countNonZero(mask));
+    SeededMatcher second(matcherOr(options.secondMatcher, LOOSE), on_pair);
     second(linked.features, again, mask.getUMat(ACCESS_READ));
     second.collectGarbage();
+    if (steps.cancelled())
+        return linked;
     keepTheBest(again);
     for (size_t k = 0; k < again.size(); ++k)
         if (again[k].num_inliers > linked.matches[k].num_inliers)
@@ -137,7 +175,7 @@ Ptr<WarperCreator> CameraEstimate::warper() const
     return named;
 }
 
-CameraEstimate estimateCameras(InputArrayOfArrays photographs, const CameraOptions& options)
+CameraEstimate estimateCameras(InputArrayOfArrays photographs, const CameraOptions& options, const Progress& progress)
 {
     const std::vector<Mat> given = checked(photographs, options);
     CameraEstimate estimate;
@@ -149,7 +187,15 @@ CameraEstimate estimateCameras(InputArrayOfArrays photographs, const CameraOptio
             resize(given[i], images[i], Size(), estimate.work_scale, estimate.work_scale, INTER_LINEAR_EXACT);
         else
             images[i] = given[i];
-    const LinkedImages linked = link(images, options, estimate.decisions);
+    Steps steps(progress);
+    LinkedImages linked = link(images, options, steps, estimate.decisions);
+    if (steps.cancelled())
+    {
+        estimate.decisions.emplace_back("cancelled before cameras were found");
+        return estimate;
+    }
+    for (const double focal : options.focal)
+        linked.focals.push_back(focal * estimate.work_scale);
     const WarperMaker make = [](const std::string& name, float scale)
     { return trueWarper(warperOfName(name)->create(scale)); };
     const CameraChoice choice = searchCameras(linked, options.confidence, make, options.projection);
@@ -173,6 +219,7 @@ CameraEstimate estimateCameras(InputArrayOfArrays photographs, const CameraOptio
                                          (dropped.size() == 1 ? " was" : " were") +
                                          " left out: nothing links them to the others");
     }
+    steps.begin("cameras", 1, 1, 0);
     for (const std::string& decision : estimate.decisions)
         CV_LOG_INFO(nullptr, "gcpw: " << decision);
     return estimate;

@@ -8,8 +8,8 @@
 #include <exception>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
-#include "cameras/picture_shape.hpp"
 #include "opencv2/gcpw/aligner.hpp"
+#include "opencv2/gcpw/cameras.hpp"
 #include "opencv2/gcpw/rig.hpp"
 #include "rendering/remap_tiled.hpp"
 #include "stitching/affine_warper.hpp"

@@ -4,6 +4,8 @@
 #ifndef OPENCV_GCPW_SEEDED_MATCHER_HPP
 #define OPENCV_GCPW_SEEDED_MATCHER_HPP
 
+#include <atomic>
+#include <functional>
 #include <vector>
 #include <opencv2/stitching/detail/matchers.hpp>
 
@@ -20,8 +22,11 @@ has drawn nothing gets, and puts the caller's state back. */
 class SeededMatcher : public cv::detail::FeaturesMatcher
 {
 public:
-    explicit SeededMatcher(const Ptr<cv::detail::FeaturesMatcher>& matcher)
-        : cv::detail::FeaturesMatcher(matcher && matcher->isThreadSafe()), matcher_(matcher)
+    /// @param on_pair called after each pair of images, from any thread; false leaves out those to come. May be empty. Not called by
+    /// matchers that choose the pairs themselves, which OpenCV has since 4.7
+    explicit SeededMatcher(const Ptr<cv::detail::FeaturesMatcher>& matcher,
+                           const std::function<bool()>& on_pair = std::function<bool()>())
+        : cv::detail::FeaturesMatcher(matcher && matcher->isThreadSafe()), matcher_(matcher), on_pair_(on_pair)
     {
     }
 
@@ -36,8 +41,14 @@ public:
 protected:
     void match(const cv::detail::ImageFeatures& a, const cv::detail::ImageFeatures& b, cv::detail::MatchesInfo& found) override
     {
-        const Seed seed;
-        real()(a, b, found);
+        if (stopped_)
+            return;
+        {
+            const Seed seed;
+            real()(a, b, found);
+        }
+        if (on_pair_ && !on_pair_())
+            stopped_ = true;
     }
 
 #if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
@@ -73,6 +84,8 @@ private:
     }
 
     Ptr<cv::detail::FeaturesMatcher> matcher_;
+    std::function<bool()> on_pair_;
+    std::atomic<bool> stopped_{false};
 };
 
 } // namespace gcpw

@@ -96,5 +96,22 @@ Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params,
     return binding;
 }
 
+std::string explain(Stitcher::Status status)
+{
+    const std::string alone = "leave out photographs that do not belong to the others";
+    switch (status)
+    {
+    case Stitcher::OK:
+        return "stitched";
+    case Stitcher::ERR_NEED_MORE_IMGS:
+        return "no two of the photographs match; let a third of each overlap";
+    case Stitcher::ERR_HOMOGRAPHY_EST_FAIL:
+        return "no cameras fit the matches; " + alone;
+    case Stitcher::ERR_CAMERA_PARAMS_ADJUST_FAIL:
+        return "the cameras could not be adjusted to the matches; " + alone;
+    }
+    return "unknown status";
+}
+
 } // namespace gcpw
 } // namespace cv

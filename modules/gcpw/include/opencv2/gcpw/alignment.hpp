@@ -21,7 +21,8 @@ namespace gcpw
 
 In Python a function of these two arguments; what it raises is written to standard error and cancels.
 
-Arguments: the stage ("features", "homography", "align", "render") and the fraction of that stage that is done, 0..1. */
+Arguments: the stage ("features", "homography", "cameras", "align") and the fraction of that stage that is done, 0..1. Called by one
+thread at a time, not always by the same. */
 typedef std::function<bool(const std::string& stage, double fraction)> Progress;
 
 /// How an alignment ended.
@@ -32,6 +33,10 @@ enum class Status
     NO_ALIGNMENT = 2, //!< not even a rough alignment was found
     CANCELLED = 3    //!< the progress callback said stop; the rough alignment is returned
 };
+
+/// The name of a status, as reports and the Python package have it.
+/// @param status any  @return "ok", "rough", "no_alignment" or "cancelled"; "unknown" for a number that is none of them
+CV_EXPORTS const char* toString(Status status);
 
 /// Energy of the terms of one name, weighted as in eq. totalfunction.
 struct CV_EXPORTS_W_SIMPLE TermEnergy
@@ -57,6 +62,10 @@ enum class StopReason
     SINGULAR = 4,        //!< the normal equations are singular; the last good state was kept
     CANCELLED = 5        //!< the progress callback said stop
 };
+
+/// The name of a reason, as reports and the Python package have it.
+/// @param reason any  @return "iteration_limit", "mesh_stable", ..; "unknown" for a number that is none of them
+CV_EXPORTS const char* toString(StopReason reason);
 
 /** @brief What happened on one pyramid level.
 

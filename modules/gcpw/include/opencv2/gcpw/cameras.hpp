@@ -31,6 +31,10 @@ struct CV_EXPORTS_W_SIMPLE CameraOptions
     CV_PROP_RW double confidence;
     /// Name of a warper as alignRigByName() knows them, to be used in any case; empty, the default, chooses.
     CV_PROP_RW std::string projection;
+    /// Focal length of each photograph, pixels of the photograph as given, as its file notes it (EXIF); 0 where it is not known. Empty,
+    /// the default: of none. Where matches alone do not fix the focal lengths, the search starts from these once more; what comes of it
+    /// is taken only if it shows matched points clearly nearer to each other.
+    CV_PROP_RW std::vector<double> focal;
     CV_PROP_RW Ptr<Feature2D> finder;                    //!< empty: SIFT, also where contrast is low
     CV_PROP_RW Ptr<cv::detail::FeaturesMatcher> matcher; //!< empty: best of two nearest
     /// Tried on photographs that the first leaves alone; its matches count only if the pictures confirm them. Empty: as the first,
@@ -70,7 +74,8 @@ struct CV_EXPORTS_W_SIMPLE CameraEstimate
 Where cv::Stitcher's estimation ends in cameras that ask for an absurd picture, or leaves photographs out, others are tried in a fixed
 order, and the first are taken that a picture can be made of:
 - a link of two photographs that matches alone do not make sure is confirmed, or not, by correlating what both show;
-- cameras that turn, each with its own focal length; with one focal length for all and a robust loss; photographs of a plane;
+- cameras that turn, each with its own focal length; the same, starting from CameraOptions::focal; with one focal length for all and a
+  robust loss; photographs of a plane;
 - the plane, the sphere along the strip or column of the photographs, or the stereographic projection, by how much they stretch.
 
 Each choice is logged and told in CameraEstimate::decisions. The same photographs give the same cameras every time.
@@ -87,10 +92,18 @@ stitcher->composePanorama(picture);
 
 @param photographs two or more, 8-bit BGR, BGRA or gray
 @param options see there
+@param progress of the stages "features" and "cameras"; may be empty. Cancelling returns an estimate without cameras
 @return the cameras, or none and the reason in CameraEstimate::decisions
-@throws cv::Exception if photographs are too few, empty or not of 8 bits, or options are out of range */
+@throws cv::Exception if photographs are too few, empty or not of 8 bits, or options are out of range; and what `progress` throws */
 CV_EXPORTS_W CameraEstimate estimateCameras(InputArrayOfArrays photographs,
-                                            const CameraOptions& options = CameraOptions());
+                                            const CameraOptions& options = CameraOptions(),
+                                            const Progress& progress = Progress());
+
+/** @brief The median focal length of cameras: the scale that cv::Stitcher gives to its warper, WarperCreator::create().
+@param cameras one or more
+@return pixels of the images that the cameras refer to; of an even number the mean of the two in the middle
+@throws cv::Exception if there are none */
+CV_EXPORTS_W float medianFocal(const std::vector<cv::detail::CameraParams>& cameras);
 
 /** @brief alignRig() of such cameras, with the keypoints that are known already: alignEstimate in Python.
 @param estimate that is ok()

@@ -27,8 +27,8 @@ cv::Mat panorama;
 cv::gcpw::blendPair(cv::gcpw::renderPair(alignment, source, target), cv::gcpw::Blend::MULTIBAND, panorama);
 @endcode
 
-@param source photograph to be warped: 8-bit BGR, gray or BGRA; 16-bit is scaled down. A 4th channel is the mask of valid
-pixels
+@param source photograph to be warped: BGR, gray or BGRA of 8 or 16 bits; the estimate is made on 8. A 4th channel is the mask of
+valid pixels
 @param target photograph that it is aligned to, of the same types
 @param params see Params; referenceImage, canvasPeriod, restWeight and balanceWeight are ignored
 @return image 0 is the source, image 1 the target, undeformed. No images and Status::NO_ALIGNMENT if the photographs do not match;
@@ -87,19 +87,20 @@ enum class View
     NATURAL = 1 //!< between both photographs: both are resampled
 };
 
-/// Both photographs on one canvas, in pixels of its view; all images and masks have one size.
+/// Both photographs on one canvas, in pixels of its view; all images and masks have one size. The pictures are CV_8UC3, or CV_16UC3 if
+/// either photograph was of 16 bits.
 struct CV_EXPORTS_W_SIMPLE PairCanvas
 {
     /// Empty.
     CV_WRAP PairCanvas() {}
 
-    CV_PROP_RW Mat source;           //!< warped source, colours unchanged, CV_8UC3; black outside its mask
+    CV_PROP_RW Mat source;           //!< warped source, colours unchanged; black outside its mask
     CV_PROP_RW Mat source_mask;      //!< CV_8UC1: 255 exactly where the mesh covers a pixel centre with a valid pixel
-    CV_PROP_RW Mat source_corrected; //!< warped source with the colours that it is shown with, CV_8UC3
-    CV_PROP_RW Mat target;           //!< the target as its view has it, colours unchanged, CV_8UC3; black outside its mask
-    CV_PROP_RW Mat target_corrected; //!< the same with the colours that it is shown with, CV_8UC3; empty counts as `target`
+    CV_PROP_RW Mat source_corrected; //!< warped source with the colours that it is shown with
+    CV_PROP_RW Mat target;           //!< the target as its view has it, colours unchanged; black outside its mask
+    CV_PROP_RW Mat target_corrected; //!< the same with the colours that it is shown with; empty counts as `target`
     CV_PROP_RW Mat target_mask;      //!< CV_8UC1: 255 where the target has a valid pixel
-    CV_PROP_RW Mat mesh;             //!< the mesh drawn over the mean of both, CV_8UC3
+    CV_PROP_RW Mat mesh;             //!< the mesh drawn over the mean of both, always CV_8UC3
     CV_PROP_RW Point target_origin;  //!< canvas pixel of the target's top-left pixel, rounded
     /// 3 x 3, CV_64FC1: homography from pixels of the target; a shift for View::TARGET. If the view is a sphere, it is right at the
     /// middle of the target and nearly so around it.
@@ -108,7 +109,7 @@ struct CV_EXPORTS_W_SIMPLE PairCanvas
 
 /** @brief Renders an alignment at full resolution.
 @param alignment from alignPair(), with a status other than NO_ALIGNMENT
-@param source the aligned source or a recoloured copy of the same size
+@param source the aligned source or a recoloured copy of the same size, of 8 or 16 bits whatever it was aligned with
 @param target the target or a recoloured copy of the same size
 @param view from where both are seen. Scores of different alignments compare only in View::TARGET
 @return both photographs on a canvas that holds all of their pixels
@@ -118,14 +119,14 @@ CV_EXPORTS_W PairCanvas renderPair(const Alignment& alignment, InputArray source
 /** @brief One picture of a canvas.
 @param canvas from renderPair()
 @param blend how
-@param picture CV_8UC3 of the canvas's size; black where neither image has pixels
+@param picture of the canvas's size and type; black where neither image has pixels. Of 16 bits MULTIBAND keeps 13
 @throws cv::Exception if the canvas is empty */
 CV_EXPORTS_W void blendPair(const PairCanvas& canvas, Blend blend, OutputArray picture);
 
 /** @overload
 @param canvas from renderPair()
 @param blend how
-@return the picture, CV_8UC3 of the canvas's size
+@return the picture, of the canvas's size and type
 @throws cv::Exception if the canvas is empty */
 CV_EXPORTS Mat blendPair(const PairCanvas& canvas, Blend blend);
 
@@ -137,7 +138,7 @@ CV_EXPORTS_W Score scorePair(const PairCanvas& canvas);
 
 /** @brief alignPair(), renderPair() and blendPair() in one call.
 @param source, target photographs, see alignPair()
-@param panorama receives the picture, CV_8UC3; not touched unless true is returned
+@param panorama receives the picture, CV_8UC3, or CV_16UC3 if either photograph is of 16 bits; not touched unless true is returned
 @param params see alignPair()
 @param blend how the two become one picture
 @param view from where both are seen

@@ -94,6 +94,10 @@ which then estimates again for the next panorama
 @throws cv::Exception as above */
 CV_EXPORTS_W Ptr<StitcherBinding> attach(const Ptr<Stitcher>& stitcher, const Params& params, const Progress& progress);
 
+/// What a status of cv::Stitcher means, and what to do.
+/// @param status any  @return one sentence without a full stop
+CV_EXPORTS std::string explain(Stitcher::Status status);
+
 //! @}
 
 } // namespace gcpw
