@@ -20,8 +20,10 @@ namespace
 const double SEAM_MEGAPIX = 0.1;  ///< graph cut takes seconds at more, and a seam needs no more
 const double GHOST_MEGAPIX = 0.2; ///< shows signs and lamp posts, which are a few pixels wide there
 const int BANDS = 5;
-/// What the blender gets of 16 bits: it adds up weighted values of two pictures in 15 bits and a sign.
-const double DEEP = 1 / 8.0;
+/// The blender adds up weighted values of two pictures in 15 bits and a sign, and rounds downwards in every band: it gets 13 bits, of
+/// which nothing of that is seen in 8.
+const double BYTES_TO_13 = 32;
+const double DEEP_TO_13 = 1 / 8.0;
 
 /// Both pictures, reduced to a number of pixels.
 std::array<PlacedPicture, 2> reduced(const TwoImages& images, const TwoMasks& masks, double megapix)
@@ -79,7 +81,7 @@ Mat blendAverage(const TwoImages& images, const TwoMasks& masks)
 Mat blendMultiband(const TwoImages& images, const TwoMasks& masks)
 {
     const std::array<Mat, 2> kept = cutSeam(images, masks);
-    const double scale = images[0].depth() == CV_16U ? DEEP : 1.0;
+    const double scale = images[0].depth() == CV_16U ? DEEP_TO_13 : BYTES_TO_13;
     cv::detail::MultiBandBlender blender(false, BANDS);
     blender.prepare(Rect(Point(), images[0].size()));
     for (int i = 0; i < 2; ++i)
