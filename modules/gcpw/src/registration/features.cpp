@@ -17,7 +17,7 @@ namespace
 {
 
 const double MIN_SEGMENT_LENGTH = 20; ///< px
-const double CORNERS_PER_QUAD = 2;    ///< enough to tell how it shears; twice or half as many align as well
+const double CORNERS_PER_QUAD = 4;    ///< tell how it shears; with three a recoloured scene is found a little less exactly
 const int TRACKING_LEVELS = 5;        ///< the coarsest of 0.6 Mpx has 60 px a side: a quarter of it is a window
 
 Mat grayOf(const Mat& image)

@@ -32,7 +32,7 @@ std::vector<Segment> segmentsOf(const Mat& image, const Mat& mask, Size2d to_ref
 /// SIFT keypoints of an image; the same arguments.
 Keypoints keypointsOf(const Mat& image, const Mat& mask, Size2d to_reference, const Params& params);
 
-/** @brief Gives features what following corners needs (Params::cornerTracking): two corners a quad of the mesh.
+/** @brief Gives features what following corners needs (Params::cornerTracking): four corners a quad of the mesh.
 @param image CV_8UC3, the reference pixels themselves  @param mask CV_8UC1 of its size, may be empty */
 void prepareCorners(const Mat& image, const Mat& mask, const Params& params, Features& features);
 

@@ -16,7 +16,7 @@ namespace
 {
 
 const int MAX_STEPS = 8;             ///< of a level; few windows need more than five
-const double FINE_ENOUGH = 0.01;     ///< px of a level: a shorter step ends it
+const double FINE_ENOUGH = 0.03;     ///< px of a level: a shorter step ends it
 const double MAX_DRIFT = WINDOW / 2; ///< px of a level: what moves farther has lost its window
 const double LEAST_TEXTURE =
     1; ///< squared gray levels a px: the smaller eigenvalue of the mean gradient product; noise has as much
