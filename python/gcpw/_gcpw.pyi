@@ -52,6 +52,7 @@ class Params:
     exposureWeight: float
     balanceWeight: float
     minQuadArea: float
+    cornerTracking: int
     contrastThreshold: float
     matchRatio: float
     guidedMatching: int

@@ -60,6 +60,7 @@ const Field FIELDS[] = {
     {"exposureWeight", nullptr, &Params::exposureWeight, 0, HEAVIEST, true},
     {"balanceWeight", nullptr, &Params::balanceWeight, 0, HEAVIEST, true},
     {"minQuadArea", nullptr, &Params::minQuadArea, 0, 0.9, false},
+    {"cornerTracking", &Params::cornerTracking, nullptr, 0, 1, true},
     {"contrastThreshold", nullptr, &Params::contrastThreshold, 0, 1, false},
     {"matchRatio", nullptr, &Params::matchRatio, 0, 1, false},
     {"guidedMatching", &Params::guidedMatching, nullptr, 0, 1, true},
@@ -114,6 +115,7 @@ Params::Params()
     exposureWeight = 8;
     balanceWeight = 0.4;
     minQuadArea = 0.1;
+    cornerTracking = 1;
     contrastThreshold = 0.005;
     matchRatio = 0.85;
     guidedMatching = 1;
@@ -148,6 +150,7 @@ Params Params::paper()
     p.restWeight = 0;
     p.exposureWeight = 0;
     p.balanceWeight = 0;
+    p.cornerTracking = 0;
     p.guidedMatching = 0;
     return p;
 }

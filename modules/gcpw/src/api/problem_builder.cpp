@@ -11,7 +11,6 @@
 #include "geometry/homography.hpp"
 #include "overlap/outside_curves.hpp"
 #include "registration/match_filter.hpp"
-#include "registration/rough_alignment.hpp"
 #include "registration/straight_lines.hpp"
 
 namespace cv
@@ -25,6 +24,10 @@ namespace
 const double BORDER_STEP = 4;      ///< px between the places where it is looked whether another image shows a border
 const double LEAST_BORDER = 0.05;  ///< of the diagonal: a shorter piece of a border is not seen to bend
 const double BORDER_MARGIN = 0.05; ///< of the diagonal: what is covered by no more may come to light as meshes move
+
+const double COARSE_MEGAPIX =
+    0.15;                    ///< where keypoints only have to find a homography: accurate to a px of the working image
+const int SURE_MATCHES = 30; ///< inliers of such a homography below which it is looked for with all keypoints
 
 std::vector<Curve> toCurves(const std::vector<Segment>& segments)
 {
@@ -87,16 +90,50 @@ void ProblemBuilder::findFeatures(const std::vector<KnownKeypoints>& known)
     {
         if (!goOn("features", static_cast<double>(i) / static_cast<double>(full_.size())))
             break;
-        const Size full = full_[i].image.size();
-        const Photograph photograph = resized(full_[i], FrameScale(cappedSize(full, params_.featureMegapix), full));
-        const Size2d to_reference(images_[i].scale.x * full.width / photograph.image.cols,
-                                  images_[i].scale.y * full.height / photograph.image.rows);
-        features_[i] =
-            i < known.size() && !known[i].points.empty()
-                ? knownFeatures(photograph.image, photograph.mask, to_reference, toWork(known[i], images_[i]))
-                : detectFeatures(photograph.image, photograph.mask, to_reference, params_);
+        Features& features = features_[i];
+        if (i < known.size() && !known[i].points.empty())
+            features.keypoints = toWork(known[i], images_[i]);
+        else if (params_.cornerTracking == 0)
+            features.keypoints = findKeypoints(i, params_.featureMegapix);
+        else if (problem_.images.empty()) // the start is to be found
+            features.keypoints = findKeypoints(i, std::min(COARSE_MEGAPIX, params_.featureMegapix));
+        const Photograph& work = images_[i].photograph;
+        if (params_.cornerTracking != 0)
+            prepareCorners(work.image, work.mask, params_, features);
+        const double megapix = params_.cornerTracking != 0 ? std::min(params_.workMegapix, params_.featureMegapix)
+                                                           : params_.featureMegapix;
+        const Photograph photograph = shownAt(i, megapix);
+        features.segments = segmentsOf(photograph.image, photograph.mask, toReference(i, photograph));
     }
     report_.timings_ms.features += millisecondsSince(tick);
+}
+
+/// An image scaled down for features.
+Photograph ProblemBuilder::shownAt(size_t i, double megapix) const
+{
+    // The working copy is what matters; it is also the quicker to scale down.
+    const Photograph& work = images_[i].photograph;
+    const Photograph& photograph = 1e-6 * static_cast<double>(work.image.total()) >= megapix ? work : full_[i];
+    const Size size = photograph.image.size();
+    return resized(photograph, FrameScale(cappedSize(size, megapix), size));
+}
+
+Size2d ProblemBuilder::toReference(size_t i, const Photograph& shown) const
+{
+    const FrameScale& scale = images_[i].scale;
+    return {scale.x * full_[i].image.cols / shown.image.cols, scale.y * full_[i].image.rows / shown.image.rows};
+}
+
+Keypoints ProblemBuilder::findKeypoints(size_t i, double megapix) const
+{
+    const Photograph photograph = shownAt(i, megapix);
+    return keypointsOf(photograph.image, photograph.mask, toReference(i, photograph), params_);
+}
+
+RoughAlignment ProblemBuilder::alignFeatures() const
+{
+    return alignRoughly(features_[0].keypoints, features_[1].keypoints, features_[0].segments, features_[1].segments,
+                        images_[0].photograph.image.size());
 }
 
 void ProblemBuilder::keepStraight(const std::vector<KnownLines>& known)
@@ -152,8 +189,13 @@ void ProblemBuilder::startFromHomography()
         return;
     const int64 tick = getTickCount();
     homography_steps_ = 1;
-    const RoughAlignment rough = alignRoughly(features_[0].keypoints, features_[1].keypoints, features_[0].segments,
-                                              features_[1].segments, images_[0].photograph.image.size());
+    RoughAlignment rough = alignFeatures();
+    if (params_.cornerTracking != 0 && rough.inliers < SURE_MATCHES)
+    {
+        for (size_t i = 0; i < images_.size(); ++i)
+            features_[i].keypoints = findKeypoints(i, params_.featureMegapix);
+        rough = alignFeatures();
+    }
     if (rough.found)
         startFrom(startOfPair(rough.b_from_a));
     else

@@ -11,6 +11,7 @@
 #include "opencv2/gcpw/aligner.hpp"
 #include "overlap/outside_distance.hpp"
 #include "registration/pair_matcher.hpp"
+#include "registration/rough_alignment.hpp"
 
 namespace cv
 {
@@ -69,6 +70,10 @@ public:
 
 private:
     bool goOn(const char* stage, double share);
+    Photograph shownAt(size_t i, double megapix) const;
+    Size2d toReference(size_t i, const Photograph& shown) const;
+    Keypoints findKeypoints(size_t i, double megapix) const;
+    RoughAlignment alignFeatures() const;
     std::vector<Neighbour> neighboursOf(int image) const;
     void keepBorders(const std::vector<Curve>& borders, int image);
     bool failed() const { return report_.status != Status::OK; }

@@ -237,6 +237,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @name Matching
     //! @{
 
+    /// 1: corners of one image are followed to where the rough alignment expects them in the other (Lucas and Kanade, there and back);
+    /// SIFT keypoints of small copies only find the homography of two photographs, and lead where there are any. 0: SIFT keypoints of
+    /// all images are matched, as in the paper, which takes several times longer and aligns no better. Ignored where matches are given.
+    /// default 1
+    CV_PROP_RW int cornerTracking;
     /// Contrast threshold of cv::SIFT, in (0, 1]; OpenCV's own default is 0.04. Smaller values find more and weaker keypoints.
     /// Ignored where keypoints or matches are given. Typical: 0.003..0.04. default 0.005
     CV_PROP_RW double contrastThreshold;
@@ -246,8 +251,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// 1: match a second time, near where the mesh fitted to the first matches expects each keypoint; finds more matches under
     /// parallax. 0: match once, as in the paper. Ignored where matches are given. default 1
     CV_PROP_RW int guidedMatching;
-    /// Images are scaled down to this area for keypoints and line segments, in 10^6 pixels, > 0 and at most 1000. Larger values
-    /// find more features and take longer. Ignored where keypoints or matches are given. Typical: 0.5..4. default 2
+    /// Images are scaled down to this area for keypoints, in 10^6 pixels, > 0 and at most 1000; line segments are found there too,
+    /// or at workMegapix if corners are followed. Larger values find more features and take longer. With cornerTracking keypoints are
+    /// found at up to 0.15, and at this area only where those agree on no homography. Ignored where keypoints or matches are given.
+    /// Typical: 0.5..4. default 2
     CV_PROP_RW double featureMegapix;
     //! @}
 };
