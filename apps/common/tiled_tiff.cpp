@@ -40,7 +40,7 @@ struct TiledTiff::File
 };
 
 TiledTiff::TiledTiff(const std::string& path, cv::Size size, int type, const PictureFormat& format,
-                     const std::vector<uchar>& profile)
+                     const std::vector<uchar>& profile, const std::string& description)
     : path_(path), size_(size), partial_(path), file_(new File)
 {
     TIFFSetErrorHandler(nullptr); // it is told in words of our own
@@ -64,6 +64,8 @@ TiledTiff::TiledTiff(const std::string& path, cv::Size size, int type, const Pic
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, compression);
     if (compression != COMPRESSION_NONE)
         TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
+    if (!description.empty())
+        TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
     if (!profile.empty())
         TIFFSetField(tiff, TIFFTAG_ICCPROFILE, static_cast<uint32_t>(profile.size()), profile.data());
     waiting_ = cv::Mat(TILE, (size.width + TILE - 1) / TILE * TILE, type, cv::Scalar::all(0));
@@ -90,24 +92,30 @@ void TiledTiff::writeRowOfTiles()
 {
     waiting_.rowRange(filled_, TILE).setTo(cv::Scalar::all(0));
     cv::Mat tile(TILE, TILE, waiting_.type());
-    const auto columns = static_cast<uint32_t>(waiting_.cols / TILE);
-    for (uint32_t column = 0; column < columns; ++column)
+    for (int x = 0; x < waiting_.cols; x += TILE, ++written_)
     {
-        waiting_.colRange(static_cast<int>(column) * TILE, static_cast<int>(column + 1) * TILE).copyTo(tile);
-        const uint32_t index = static_cast<uint32_t>(written_) * columns + column;
+        waiting_.colRange(x, x + TILE).copyTo(tile);
         const auto size = static_cast<tmsize_t>(tile.total() * tile.elemSize());
-        if (TIFFWriteEncodedTile(file_->tiff, index, tile.data, size) != size)
+        if (TIFFWriteEncodedTile(file_->tiff, static_cast<uint32_t>(written_), tile.data, size) != size)
             fail(path_);
     }
-    ++written_;
     filled_ = 0;
+}
+
+void TiledTiff::addTile(const std::vector<uchar>& encoded)
+{
+    std::vector<uchar> data = encoded; // libtiff may swap its bytes
+    const auto size = static_cast<tmsize_t>(data.size());
+    if (TIFFWriteRawTile(file_->tiff, static_cast<uint32_t>(written_), data.data(), size) != size)
+        fail(path_);
+    ++written_;
 }
 
 void TiledTiff::finish()
 {
     if (filled_ > 0)
         writeRowOfTiles();
-    CV_Assert(written_ == (size_.height + TILE - 1) / TILE);
+    CV_Assert(written_ == (size_.height + TILE - 1) / TILE * (waiting_.cols / TILE));
     const bool whole = TIFFFlush(file_->tiff) == 1;
     file_.reset();
     const std::string reason = whole ? partial_.commit() : "the disk is full; make room or choose another place";

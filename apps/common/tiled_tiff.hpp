@@ -20,12 +20,16 @@ public:
     static const int TILE = 256; ///< px a side, as most programs write them
 
     /// @param type CV_8UC3 or CV_16UC3  @param profile of the colours, may be empty
+    /// @param description what the file says of itself, may be empty
     TiledTiff(const std::string& path, cv::Size size, int type, const PictureFormat& format,
-              const std::vector<uchar>& profile);
+              const std::vector<uchar>& profile, const std::string& description = std::string());
     ~TiledTiff() override;
 
     void add(const cv::Mat& rows) override;
     void finish() override;
+
+    /// The next tile as a file of the same kind has it, in the place of add().
+    void addTile(const std::vector<uchar>& encoded);
 
 private:
     struct File;
@@ -38,7 +42,7 @@ private:
     std::unique_ptr<File> file_;
     cv::Mat waiting_; ///< TILE rows, RGB, padded to whole tiles
     int filled_ = 0;  ///< rows of it
-    int written_ = 0; ///< rows of tiles
+    int written_ = 0; ///< tiles
 };
 
 #endif

@@ -60,7 +60,7 @@ cv::Rect CanvasPicture::onCanvas(cv::Rect rect) const
     return part + canvas_.tl();
 }
 
-cv::Mat CanvasPicture::pixels(cv::Rect rect) const
+cv::Rect CanvasPicture::reach(cv::Rect rect) const
 {
     const cv::Rect tile = onCanvas(rect);
     const int step = blending_.kind == Blending::BANDS ? 1 << blending_.bands : 1;
@@ -69,7 +69,13 @@ cv::Mat CanvasPicture::pixels(cv::Rect rect) const
                          onGrid(std::max(tile.y - margin, canvas_.y), canvas_.y, step, false));
     const cv::Point to(onGrid(tile.br().x + margin, canvas_.x, step, true),
                        onGrid(tile.br().y + margin, canvas_.y, step, true));
-    const cv::Rect outer = cv::Rect(from, to) & canvas_;
+    return cv::Rect(from, to) & canvas_;
+}
+
+cv::Mat CanvasPicture::pixels(cv::Rect rect) const
+{
+    const cv::Rect tile = onCanvas(rect);
+    const cv::Rect outer = reach(rect);
     const cv::Ptr<cv::detail::Blender> blender = blenderOf(blending_);
     blender->prepare(outer);
     for (const WarpedStore::Part& part : store_.read(outer))

@@ -25,6 +25,9 @@ public:
 
     cv::Size size() const;
 
+    /// The part of the canvas that its pixels in a rectangle are made of.
+    cv::Rect reach(cv::Rect rect) const;
+
     /// Its pixels in a rectangle, CV_8UC3 or CV_16UC3. From any thread.
     cv::Mat pixels(cv::Rect rect) const;
 

@@ -25,6 +25,8 @@ struct StitchJob
     std::string crop = "auto";
     std::string panoramas = "all"; ///< or largest
     std::string tiled = "auto";    ///< yes, no: without holding photographs and picture in memory
+    std::string tiles;             ///< rows of tiles to be made, none or empty for all; see TileRows
+    bool join = false;             ///< the paths are files of --tiles
     bool gcpw = true;
     bool plain_colors = false; ///< exposures as --expos_comp says, instead of GCPW's colours
     bool skip_bad = false;
@@ -60,6 +62,7 @@ private:
     void declareComposition();
     void makeSmall();
     void checkValues() const;
+    void checkTiles() const;
     void planOutputs(Console& console) const;
 
     CommandLine line_;

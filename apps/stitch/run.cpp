@@ -13,6 +13,7 @@
 #include "report/report.hpp"
 #include "stitch/compose.hpp"
 #include "stitch/frames.hpp"
+#include "stitch/join_parts.hpp"
 #include "stitch/model.hpp"
 #include "stitch/page.hpp"
 #include "stitch/report.hpp"
@@ -199,6 +200,11 @@ StitchJob furtherJob(const StitchJob& job, int number)
 
 int runStitch(const StitchJob& job, const Console& console)
 {
+    if (job.join)
+    {
+        joinParts(job, console);
+        return EXIT_STITCHED;
+    }
     if (isTiled(job))
         return runTiled(job, console);
     ProgressLine progress(stagesOf(job), console.loudness() != Console::Loudness::QUIET);

@@ -10,9 +10,11 @@
 #include "common/held_signals.hpp"
 #include "common/paths.hpp"
 #include "common/read_all.hpp"
+#include "common/tile_rows.hpp"
 #include "common/tiled_tiff.hpp"
 #include "common/write_file.hpp"
 #include "stitch/canvas_picture.hpp"
+#include "stitch/join_parts.hpp"
 #include "stitch/model.hpp"
 #include "stitch/reduced_photographs.hpp"
 #include "stitch/stand_up.hpp"
@@ -41,13 +43,25 @@ struct GivenUp
 {
 };
 
+/// Whether another photograph has the same camera: they are told apart by their order, and none may be left out.
+bool isAlike(const Layout& layout, size_t k)
+{
+    for (size_t i = 0; i < layout.cameras.size(); ++i)
+        if (i != k && cv::norm(layout.cameras[i].R, layout.cameras[k].R, cv::NORM_INF) == 0)
+            return true;
+    return false;
+}
+
 /// Warps photographs into a store, each read anew.
+/// @param needed the canvas that is going to be looked at
 void warpAll(const ReducedPhotographs& reduced, const Layout& layout, Warping& warping, std::vector<cv::UMat>& seams,
-             int margin, bool deep, WarpedStore& store, ProgressLine& progress)
+             cv::Rect needed, int margin, bool deep, WarpedStore& store, ProgressLine& progress)
 {
     progress.begin(WARPING);
     for (size_t k = 0; k < layout.cameras.size(); ++k)
     {
+        if (!isAlike(layout, k) && (cv::Rect(warping.corners()[k], warping.sizes()[k]) & needed).empty())
+            continue;
         const Photograph& photograph = reduced.photographs[static_cast<size_t>(layout.component[k])];
         cv::Mat image = readImage(photograph.path);
         if (image.size() != photograph.size())
@@ -83,23 +97,44 @@ cv::Mat rowsOf(const CanvasPicture& picture, cv::Rect rows, int type)
     return result;
 }
 
-std::unique_ptr<PictureSink> sinkOf(const StitchJob& job, cv::Size size, int type, const Metadata& metadata)
+/// The rows of tiles of a picture that a job makes.
+cv::Range tileRowsOf(const StitchJob& job, cv::Size picture)
 {
-    if (endingOf(job.output) == ".dzi")
-        return std::make_unique<DeepZoom>(job.output, size, job.format.quality);
-    return std::make_unique<TiledTiff>(job.output, size, type, job.format, metadata.profile());
+    const int all = (picture.height + TiledTiff::TILE - 1) / TiledTiff::TILE;
+    return job.tiles.empty() ? cv::Range(0, all) : TileRows(job.tiles).in(all);
 }
 
-/// @param shown the part of the picture that is written
+/// @param picture its size  @param made rows of it that are written
+std::unique_ptr<PictureSink> sinkOf(const StitchJob& job, cv::Size picture, int made, int type,
+                                    const Metadata& metadata)
+{
+    if (endingOf(job.output) == ".dzi")
+        return std::make_unique<DeepZoom>(job.output, picture, job.format.quality);
+    const std::string description = job.tiles.empty() ? "" : describePart(tileRowsOf(job, picture), picture);
+    return std::make_unique<TiledTiff>(job.output, cv::Size(picture.width, made), type, job.format, metadata.profile(),
+                                       description);
+}
+
+/// The rows of a picture that a job makes. @param shown the part of the picture that remains when it is cropped
+cv::Rect madeRows(const StitchJob& job, cv::Rect shown)
+{
+    const cv::Range rows = tileRowsOf(job, shown.size());
+    const int top = rows.start * TiledTiff::TILE;
+    const int bottom = std::min(rows.end * TiledTiff::TILE, shown.height);
+    return {shown.x, shown.y + top, shown.width, bottom - top};
+}
+
+/// @param shown the part of the picture that remains when it is cropped
 void write(const StitchJob& job, const CanvasPicture& picture, cv::Rect shown, int type, const Metadata& metadata,
            ProgressLine& progress)
 {
     progress.begin(WRITING);
+    const cv::Rect made = madeRows(job, shown);
     const HeldSignals signals;
-    const std::unique_ptr<PictureSink> sink = sinkOf(job, shown.size(), type, metadata);
-    for (int y = 0; y < shown.height; y += BLENDED)
+    const std::unique_ptr<PictureSink> sink = sinkOf(job, shown.size(), made.height, type, metadata);
+    for (int y = 0; y < made.height; y += BLENDED)
     {
-        const cv::Rect band(shown.x, shown.y + y, shown.width, std::min(BLENDED, shown.height - y));
+        const cv::Rect band(made.x, made.y + y, made.width, std::min(BLENDED, made.height - y));
         const cv::Mat rows = rowsOf(picture, band, type);
         for (int top = 0; top < rows.rows; top += HANDED)
         {
@@ -107,9 +142,17 @@ void write(const StitchJob& job, const CanvasPicture& picture, cv::Rect shown, i
                 throw GivenUp();
             sink->add(rows.rowRange(top, std::min(top + HANDED, rows.rows)));
         }
-        progress.show(static_cast<double>(y + band.height) / shown.height);
+        progress.show(static_cast<double>(y + band.height) / made.height);
     }
     sink->finish();
+}
+
+void tellDecisions(const Layout& layout, const Console& console)
+{
+    for (const std::string& decision : layout.decisions)
+        console.tell(decision);
+    if (!layout.rig.alignment.report().message.empty())
+        console.tell(layout.rig.alignment.report().message);
 }
 
 /// Makes and writes one panorama. @param kept gets the photographs in it @return why there is none, empty if there is
@@ -138,7 +181,16 @@ std::string makeOne(const StitchJob& job, const Console& console, std::vector<st
     if (!layout.ok())
     {
         ProgressLine::erase();
-        return layout.trouble;
+        return layout.trouble + (photographs.size() == 2 ? "; as a pair they are stitched with --tiled=no" : "");
+    }
+    if (!job.save_model.empty())
+        saveModel(layout, photographs, job.save_model);
+    if (job.tiles == "none")
+    {
+        ProgressLine::erase();
+        tellDecisions(layout, console);
+        console.tell(job.save_model + cv::format(": model of %zu images", layout.component.size()));
+        return {};
     }
     progress.begin(SEAMS);
     std::vector<cv::UMat> seams =
@@ -151,22 +203,20 @@ std::string makeOne(const StitchJob& job, const Console& console, std::vector<st
     const int turns = layout.turned ? turnsToStand(photographs[0], layout.decisions) : 0;
     WarpedStore store(folderOf(job.output).string());
     const CanvasPicture picture(store, canvas, blending, deep, turns);
-    warpAll(reduced, layout, warping, seams, CanvasPicture::marginOf(blending), deep, store, progress);
+    const cv::Rect whole(cv::Point(), picture.size());
+    // Where it is cropped depends on all photographs.
+    const cv::Rect needed = job.crop == "auto" ? canvas : picture.reach(madeRows(job, whole));
+    warpAll(reduced, layout, warping, seams, needed, CanvasPicture::marginOf(blending), deep, store, progress);
     cv::Rect shown = job.crop == "auto" ? picture.largestRectangle() : cv::Rect();
     if (shown.empty())
-        shown = cv::Rect(cv::Point(), picture.size());
+        shown = whole;
     else
         console.detail(cv::format("cropped from %d x %d to %d x %d px", picture.size().width, picture.size().height,
                                   shown.width, shown.height));
     write(job, picture, shown, deep ? CV_16UC3 : CV_8UC3, sharedMetadata(photographs, layout.component, console),
           progress);
-    if (!job.save_model.empty())
-        saveModel(layout, photographs, job.save_model);
     ProgressLine::erase();
-    for (const std::string& decision : layout.decisions)
-        console.tell(decision);
-    if (!layout.rig.alignment.report().message.empty())
-        console.tell(layout.rig.alignment.report().message);
+    tellDecisions(layout, console);
     clock.stop();
     console.tell(cv::format("%s: %d x %d of %zu images, %d ms", job.output.c_str(), shown.width, shown.height,
                             layout.component.size(), cvRound(clock.getTimeMilli())));
@@ -178,7 +228,7 @@ std::string makeOne(const StitchJob& job, const Console& console, std::vector<st
 bool isTiled(const StitchJob& job)
 {
     const std::string ending = endingOf(job.output);
-    if (ending == ".dzi" || job.tiled == "yes")
+    if (ending == ".dzi" || job.tiled == "yes" || !job.tiles.empty())
         return true;
     const bool may = job.tiled == "auto" && (ending == ".tif" || ending == ".tiff") && job.obstacleToTiles().empty() &&
                      !isDevice(job.output);
@@ -193,7 +243,7 @@ bool isTiled(const StitchJob& job)
 int runTiled(const StitchJob& job, const Console& console)
 {
     StitchJob present = job;
-    const bool go_on = job.panoramas == "all" && job.load_model.empty();
+    const bool go_on = job.panoramas == "all" && job.load_model.empty() && job.tiles.empty();
     for (int number = 1; number == 1 || (go_on && present.paths.size() >= 2); ++number)
     {
         std::vector<std::string> rest;

@@ -72,9 +72,33 @@ def deep_zoom(bench, source, target):
     bench.refused("gcpw_stitch", *call, "--output=zoom.dzi", says="is not empty")
 
 
+def in_parts(bench, source, target):
+    """Any cut into parts, joined, is the file that one call writes."""
+    call = (source, target, "--load_model=model.yml.gz", "--crop=none")
+    bench.run("gcpw_stitch", *call, "--output=one.tif", "--tiled=yes")
+    bench.run("gcpw_stitch", *call, "--output=upper.tif", "--tiles=1-1")
+    bench.run("gcpw_stitch", *call, "--output=lower.tif", "--tiles=2-99")
+    bench.run("gcpw_stitch", "--join", "lower.tif", "upper.tif", "--output=joined.tif")
+    bench.check(bench.same_bytes("one.tif", "joined.tif"), "parts joined are not the file of one call")
+    bench.run("gcpw_stitch", *call, "--output=share.tif", "--tiles=1/2")
+    bench.run("gcpw_stitch", *call, "--output=zoom2.dzi")
+    bench.run("gcpw_stitch", "--join", "upper.tif", "lower.tif", "--output=joined.dzi")
+    for level in ("0/0_0", "9/0_0", "10/1_1"):
+        bench.check(bench.same_bytes(f"zoom2_files/{level}.jpg", f"joined_files/{level}.jpg"), f"parts joined to a .dzi: other tile {level}")
+    for names, says in ((("upper.tif",), "are missing"), (("lower.tif",), "are missing"), (("upper.tif", "upper.tif", "lower.tif"), "twice"),
+                        (("one.tif",), "is no part")):
+        bench.refused("gcpw_stitch", "--join", *names, "--output=no.tif", says=says)
+    bench.run("gcpw_stitch", source, target, ESTIMATE, "--tiles=none", "--save_model=again.yml.gz", says="again.yml.gz")
+    bench.check(bench.same_bytes("again.yml.gz", "model.yml.gz"), "--tiles=none saves another model")
+    for tiles in ("0-2", "3-2", "3/2", "x", "1-2-3"):
+        bench.refused("gcpw_stitch", *call, "--output=no.tif", f"--tiles={tiles}", says="--tiles is")
+    bench.refused("gcpw_stitch", *call, "--output=no.tif", "--tiles=90-99", says="the picture has")
+    bench.refused("gcpw_stitch", source, target, "--output=no.tif", "--tiles=1-2", says="--load_model")
+
+
 def refusals(bench, source, target):
     call = (source, target)
-    bench.refused("gcpw_stitch", *call, "--output=a.png", "--tiled=yes", says="--tiled=yes writes .tif or .dzi")
+    bench.refused("gcpw_stitch", *call, "--output=a.png", "--tiled=yes", says="write .tif or .dzi")
     bench.refused("gcpw_stitch", *call, "--output=a.dzi", "--tiled=no", says="Deep Zoom")
     bench.refused("gcpw_stitch", *call, "--output=a.dzi", "--report=page", says="--report")
     bench.refused("gcpw_stitch", *call, "--output=a.tif", "--tiled=yes", "--method=none", says="--method=none")
@@ -103,7 +127,7 @@ def ended_early(bench, source, target):
 
 def test(bench):
     pair = bench.synthetic_pair()
-    for part in (same_pixels, deep_zoom, refusals, ended_early):
+    for part in (same_pixels, deep_zoom, in_parts, refusals, ended_early):
         part(bench, *pair)
 
 
