@@ -3,40 +3,48 @@
 // of this distribution and at http://opencv.org/license.html.
 #include "common/crop.hpp"
 
-#include <vector>
+RectangleSearch::RectangleSearch(int width) : heights_(static_cast<size_t>(width) + 1, 0) {}
 
-cv::Rect largestRectangle(const cv::Mat& shown)
+void RectangleSearch::add(const cv::Mat& shown)
 {
-    CV_Assert(shown.empty() || shown.type() == CV_8UC1);
+    const int width = static_cast<int>(heights_.size()) - 1;
+    CV_Assert(shown.type() == CV_8UC1 && shown.cols == width);
     // Each row is a histogram of how many pixels are shown without a gap above it; its largest rectangle ends in this row.
     struct Bar
     {
         int left;
         int height;
     };
-    cv::Rect best;
-    std::vector<int> heights(static_cast<size_t>(shown.cols) + 1, 0); // the last one stays 0 and closes all bars
-    std::vector<Bar> open;                                            // of rising height
-    for (int y = 0; y < shown.rows; ++y)
+    std::vector<Bar> open; // of rising height
+    for (int y = 0; y < shown.rows; ++y, ++rows_)
     {
         const uchar* const row = shown.ptr<uchar>(y);
         open.clear();
-        for (int x = 0; x <= shown.cols; ++x)
+        for (int x = 0; x <= width; ++x)
         {
-            if (x < shown.cols)
-                heights[x] = row[x] ? heights[x] + 1 : 0;
+            int& height = heights_[static_cast<size_t>(x)];
+            if (x < width) // the last one stays 0 and closes all bars
+                height = row[x] ? height + 1 : 0;
             int left = x;
-            while (!open.empty() && open.back().height >= heights[x])
+            while (!open.empty() && open.back().height >= height)
             {
                 const Bar bar = open.back();
                 open.pop_back();
                 left = bar.left;
-                if (static_cast<int64>(bar.height) * (x - left) > static_cast<int64>(best.width) * best.height)
-                    best = cv::Rect(left, y - bar.height + 1, x - left, bar.height);
+                if (static_cast<int64>(bar.height) * (x - left) > static_cast<int64>(best_.width) * best_.height)
+                    best_ = cv::Rect(left, rows_ - bar.height + 1, x - left, bar.height);
             }
-            if (heights[x] > 0)
-                open.push_back({left, heights[x]});
+            if (height > 0)
+                open.push_back({left, height});
         }
     }
-    return best;
+}
+
+cv::Rect largestRectangle(const cv::Mat& shown)
+{
+    if (shown.empty())
+        return {};
+    RectangleSearch search(shown.cols);
+    search.add(shown);
+    return search.best();
 }

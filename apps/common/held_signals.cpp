@@ -40,3 +40,8 @@ HeldSignals::~HeldSignals()
     if (held != 0)
         std::raise(held);
 }
+
+bool HeldSignals::asked() const
+{
+    return held != 0;
+}

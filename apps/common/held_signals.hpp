@@ -18,6 +18,8 @@ public:
     HeldSignals();
     /// Puts the signals' actions back and sends the one that was held, if any.
     ~HeldSignals();
+    /// Whether one was held: the work may be given up, and what is unfinished removed.
+    bool asked() const;
     HeldSignals(const HeldSignals&) = delete;
     HeldSignals& operator=(const HeldSignals&) = delete;
 

@@ -115,6 +115,20 @@ Metadata Metadata::read(const std::string& path)
     return metadata;
 }
 
+double Metadata::pixelsOf(const std::string& path)
+{
+    try
+    {
+        const auto image = Exiv2::ImageFactory::open(path);
+        image->readMetadata();
+        return static_cast<double>(image->pixelWidth()) * image->pixelHeight();
+    }
+    catch (const std::exception&)
+    {
+        return 0;
+    }
+}
+
 double Metadata::focalLength(cv::Size size) const
 {
     if (!tags_)

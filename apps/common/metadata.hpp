@@ -23,6 +23,9 @@ public:
     /// @return none where the file has none or cannot be read
     static Metadata read(const std::string& path);
 
+    /// Pixels of the picture in a file, without decoding it; 0 if it cannot be told.
+    static double pixelsOf(const std::string& path);
+
     /// EXIF's 1 to 8: how the stored picture has to be turned or mirrored to stand upright; 1 means not at all.
     int orientation() const { return orientation_; }
 

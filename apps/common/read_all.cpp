@@ -24,6 +24,12 @@ Photograph readOne(const std::string& path)
 std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip_bad, const Console& console,
                                 ProgressLine& progress)
 {
+    return readAll(paths, skip_bad, console, progress, [](Photograph&) {});
+}
+
+std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip_bad, const Console& console,
+                                ProgressLine& progress, const std::function<void(Photograph&)>& on_read)
+{
     std::vector<Photograph> photographs;
     for (size_t i = 0; i < paths.size(); ++i)
     {
@@ -33,6 +39,7 @@ std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip
             const cv::Mat& image = photographs.back().image;
             console.detail(cv::format("read %s: %d x %d px, %s", paths[i].c_str(), image.cols, image.rows,
                                       cv::typeToString(image.type()).c_str()));
+            on_read(photographs.back());
         }
         catch (const FileTrouble& trouble)
         {

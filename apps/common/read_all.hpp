@@ -4,6 +4,7 @@
 #ifndef GCPW_APPS_READ_ALL_HPP
 #define GCPW_APPS_READ_ALL_HPP
 
+#include <functional>
 #include <string>
 #include <vector>
 #include "common/console.hpp"
@@ -16,6 +17,10 @@ const int MIN_SIDE = 8; ///< px of a photograph: cv::SIFT fails on images of one
 @param skip_bad those that cannot be read are told and left out; else the first one ends in FileTrouble */
 std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip_bad, const Console& console,
                                 ProgressLine& progress);
+
+/// The same. @param on_read called with each photograph that could be read; may take a part of it away
+std::vector<Photograph> readAll(const std::vector<std::string>& paths, bool skip_bad, const Console& console,
+                                ProgressLine& progress, const std::function<void(Photograph&)>& on_read);
 
 /// What a picture of these photographs is to carry: the metadata of the first. Warns where colour profiles differ.
 Metadata sharedMetadata(const std::vector<Photograph>& photographs, const std::vector<int>& kept,

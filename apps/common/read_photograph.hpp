@@ -14,6 +14,10 @@ struct Photograph
     std::string path;
     cv::Mat image; ///< 8 or 16 bits: BGR, or BGRA where some pixels are not to be shown
     Metadata metadata;
+    double scale = 1;   ///< pixels of the image per pixel of the file: less where only a reduced copy is kept
+    cv::Size file_size; ///< of the picture in the file, upright; empty: the image's
+
+    cv::Size size() const { return file_size.empty() ? image.size() : file_size; }
 };
 
 /** @brief Reads a photograph with its orientation, transparency and metadata.

@@ -10,13 +10,6 @@ namespace
 {
 
 const int TILE = 1024; ///< px; a multiple of the coarsest band's pixel, so that its grid is the same in all tiles
-const int MOST_BANDS_OF_TILES = 7; ///< with more, tiles would be mostly margin: the picture is one
-
-/// px: a pixel of the coarsest band comes of 4 of its own to each side, and its weight too.
-int marginOf(int bands)
-{
-    return 8 << bands;
-}
 
 cv::Rect grown(cv::Rect rect, int margin)
 {

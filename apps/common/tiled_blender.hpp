@@ -16,6 +16,10 @@ class TiledBlender : public cv::detail::Blender
 {
 public:
     static const int USUAL_BANDS = 5; ///< OpenCV's own
+    static const int MOST_BANDS_OF_TILES = 7; ///< with more, tiles would be mostly margin: the picture is one
+
+    /// px: a pixel of the coarsest band comes of 4 of its own to each side, and its weight too.
+    static int marginOf(int bands) { return 8 << bands; }
 
     /// @param deep images have values up to 8191 instead of 255, and so has the picture: CV_16SC3
     explicit TiledBlender(int bands = USUAL_BANDS, bool deep = false) : bands_(bands), deep_(deep) {}

@@ -10,26 +10,13 @@
 #include <opencv2/imgcodecs.hpp>
 #include "common/exit_code.hpp"
 #include "common/held_signals.hpp"
+#include "common/partial_file.hpp"
 #include "common/paths.hpp"
 
 namespace fs = std::filesystem;
 
 namespace
 {
-
-/// An unused name in the same folder for what is not complete yet.
-fs::path partialOf(const fs::path& path)
-{
-    const size_t most = 200; // of 255 letters that a name may have
-    for (int i = 0;; ++i)
-    {
-        const fs::path partial =
-            path.parent_path() / (path.filename().string().substr(0, most) + ".partial" + std::to_string(i));
-        std::error_code unknown;
-        if (!fs::exists(fs::symlink_status(partial, unknown)))
-            return partial;
-    }
-}
 
 std::string reasonOf(int number)
 {
@@ -61,20 +48,9 @@ std::string putInto(const fs::path& path, const uchar* data, size_t size)
 std::string replace(const fs::path& path, const uchar* data, size_t size)
 {
     const HeldSignals held;
-    std::error_code error;
-    const fs::path target = fs::exists(path, error) ? fs::canonical(path, error) : path;
-    if (error)
-        return error.message();
-    const fs::path partial = partialOf(target);
-    std::string reason = putInto(partial, data, size);
-    if (reason.empty())
-    {
-        fs::rename(partial, target, error);
-        reason = error ? error.message() : "";
-    }
-    if (!reason.empty())
-        fs::remove(partial, error);
-    return reason;
+    PartialFile partial(path.string());
+    const std::string reason = putInto(partial.name(), data, size);
+    return reason.empty() ? partial.commit() : reason;
 }
 
 } // namespace

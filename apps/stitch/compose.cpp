@@ -47,11 +47,24 @@ cv::Mat intrinsics(const cv::detail::CameraParams& camera)
     return K;
 }
 
-/// Which part of each photograph is shown, at the low resolution of the seams. Estimates exposures on the way.
-std::vector<cv::UMat> findSeams(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout,
+} // namespace
+
+double seamScale(const StitchJob& job, const Photograph& first)
+{
+    return scaleFor(job.setup.seam_megapix, first.size());
+}
+
+SeamCopy seamCopy(const cv::Mat& photograph, double scale)
+{
+    SeamCopy copy;
+    copy.image = scaled(withoutAlpha(toBytes(photograph)), scale);
+    copy.mask = maskOf(photograph, copy.image.size());
+    return copy;
+}
+
+std::vector<cv::UMat> findSeams(const Layout& layout, double seam_scale, const std::function<SeamCopy(size_t)>& copy_of,
                                 ProgressLine& progress)
 {
-    const double seam_scale = scaleFor(job.setup.seam_megapix, photographs[0].image.size());
     const double aspect = seam_scale / layout.work_scale;
     const cv::Ptr<cv::detail::RotationWarper> warper =
         layout.warper->create(static_cast<float>(cv::gcpw::medianFocal(layout.cameras) * aspect));
@@ -61,14 +74,12 @@ std::vector<cv::UMat> findSeams(const StitchJob& job, const std::vector<Photogra
     std::vector<cv::UMat> masks(count);
     for (size_t k = 0; k < count; ++k)
     {
-        const cv::Mat& photograph = photographs[static_cast<size_t>(layout.component[k])].image;
-        const cv::Mat image = scaled(withoutAlpha(toBytes(photograph)), seam_scale);
-        const cv::Mat mask = maskOf(photograph, image.size());
+        const SeamCopy copy = copy_of(static_cast<size_t>(layout.component[k]));
         cv::Mat K = intrinsics(layout.cameras[k]);
         K.rowRange(0, 2) *= static_cast<float>(aspect);
         const cv::Mat& R = layout.cameras[k].R;
-        corners[k] = warper->warp(image, K, R, cv::INTER_LINEAR, cv::BORDER_REFLECT, images[k]);
-        warper->warp(mask, K, R, cv::INTER_NEAREST, cv::BORDER_CONSTANT, masks[k]);
+        corners[k] = warper->warp(copy.image, K, R, cv::INTER_LINEAR, cv::BORDER_REFLECT, images[k]);
+        warper->warp(copy.mask, K, R, cv::INTER_NEAREST, cv::BORDER_CONSTANT, masks[k]);
         progress.show(SHARE_BEFORE_CUTS * static_cast<double>(k + 1) / static_cast<double>(count));
     }
     layout.compensator->feed(corners, images, masks);
@@ -82,7 +93,24 @@ std::vector<cv::UMat> findSeams(const StitchJob& job, const std::vector<Photogra
     return masks;
 }
 
-/// What a blender has made, in the depth of the photographs.
+cv::Mat fedImage(const cv::Mat& image, bool deep)
+{
+    cv::Mat fed;
+    image.convertTo(fed, CV_16S, deep ? TO_DEEP : 1);
+    return fed;
+}
+
+cv::Mat cutMask(const cv::UMat& seam, const cv::Mat& shown)
+{
+    // The seam at the picture's resolution, a little beyond itself, so that no gap is left.
+    cv::UMat cut;
+    cv::dilate(seam, cut, cv::Mat());
+    cv::resize(cut, cut, shown.size(), 0, 0, cv::INTER_LINEAR_EXACT);
+    cv::Mat mask;
+    cv::bitwise_and(cut, shown, mask);
+    return mask;
+}
+
 cv::Mat finished(const cv::Mat& blended, bool deep)
 {
     cv::Mat picture;
@@ -93,28 +121,34 @@ cv::Mat finished(const cv::Mat& blended, bool deep)
     return picture;
 }
 
-} // namespace
-
 double composeScale(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout)
 {
-    return scaleFor(job.setup.compose_megapix, photographs[static_cast<size_t>(layout.component[0])].image.size());
+    return scaleFor(job.setup.compose_megapix, photographs[static_cast<size_t>(layout.component[0])].size());
 }
 
-Warping::Warping(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep)
+Warping::Warping(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep,
+                 bool large)
     : photographs_(photographs), layout_(layout), deep_(deep), cameras_(layout.cameras)
 {
     scale_ = composeScale(job, photographs, layout);
     const double aspect = scale_ / layout.work_scale;
     warper_ = layout.warper->create(static_cast<float>(cv::gcpw::medianFocal(layout.cameras) * aspect));
+    if (large)
+    {
+        large_ = warper_.dynamicCast<cv::gcpw::GcpwRotationWarper>();
+        CV_Assert(large_);
+    }
     for (size_t k = 0; k < cameras_.size(); ++k)
     {
         cameras_[k].ppx *= aspect;
         cameras_[k].ppy *= aspect;
         cameras_[k].focal *= aspect;
-        cv::Size size = photographs[static_cast<size_t>(layout.component[k])].image.size();
+        cv::Size size = photographs[static_cast<size_t>(layout.component[k])].size();
         if (std::abs(scale_ - 1) > SAME_SCALE)
             size = cv::Size(cvRound(size.width * scale_), cvRound(size.height * scale_));
-        const cv::Rect roi = warper_->warpRoi(size, intrinsics(cameras_[k]), cameras_[k].R);
+        const cv::Mat K = intrinsics(cameras_[k]);
+        const cv::Rect roi =
+            large_ ? large_->largeRoi(size, K, cameras_[k].R) : warper_->warpRoi(size, K, cameras_[k].R);
         corners_.push_back(roi.tl());
         sizes_.push_back(roi.size());
     }
@@ -122,7 +156,11 @@ Warping::Warping(const StitchJob& job, const std::vector<Photograph>& photograph
 
 Warping::Warped Warping::warp(size_t k)
 {
-    const cv::Mat& photograph = photographs_[static_cast<size_t>(layout_.component[k])].image;
+    return warp(k, photographs_[static_cast<size_t>(layout_.component[k])].image);
+}
+
+Warping::Warped Warping::warp(size_t k, const cv::Mat& photograph)
+{
     cv::Mat image = withoutAlpha(photograph);
     if (deep_ && image.depth() == CV_8U)
         image.convertTo(image, CV_16U, 257);
@@ -132,6 +170,12 @@ Warping::Warped Warping::warp(size_t k)
         image = scaled(image, scale_);
     const cv::Mat K = intrinsics(cameras_[k]);
     Warped warped;
+    if (large_)
+    {
+        warped.corner =
+            large_->warpWithMask(image, maskOf(photograph, image.size()), K, cameras_[k].R, warped.image, warped.mask);
+        return warped;
+    }
     warped.corner = warper_->warp(image, K, cameras_[k].R, cv::INTER_LINEAR, cv::BORDER_REFLECT, warped.image);
     warper_->warp(maskOf(photograph, image.size()), K, cameras_[k].R, cv::INTER_NEAREST, cv::BORDER_CONSTANT,
                   warped.mask);
@@ -143,7 +187,9 @@ Composition compose(const StitchJob& job, const std::vector<Photograph>& photogr
                     const std::function<void(size_t, const Warping&, const Warping::Warped&)>& on_warped)
 {
     progress.begin(SEAMS);
-    std::vector<cv::UMat> seams = findSeams(job, photographs, layout, progress);
+    const double seam_scale = seamScale(job, photographs[0]);
+    std::vector<cv::UMat> seams =
+        findSeams(layout, seam_scale, [&](size_t i) { return seamCopy(photographs[i].image, seam_scale); }, progress);
     progress.begin(COMPOSING);
     Warping warping(job, photographs, layout, deep);
     const cv::Rect canvas = cv::detail::resultRoi(warping.corners(), warping.sizes());
@@ -155,15 +201,9 @@ Composition compose(const StitchJob& job, const std::vector<Photograph>& photogr
         if (on_warped)
             on_warped(k, warping, warped);
         correctExposure(*layout.compensator, static_cast<int>(k), warped.corner, warped.image, warped.mask);
-        cv::Mat fed;
-        warped.image.convertTo(fed, CV_16S, deep ? TO_DEEP : 1);
+        const cv::Mat fed = fedImage(warped.image, deep);
         warped.image.release();
-        // The seam at the picture's resolution, a little beyond itself, so that no gap is left.
-        cv::UMat seam;
-        cv::dilate(seams[k], seam, cv::Mat());
-        cv::resize(seam, seam, warped.mask.size(), 0, 0, cv::INTER_LINEAR_EXACT);
-        cv::Mat mask;
-        cv::bitwise_and(seam, warped.mask, mask);
+        const cv::Mat mask = cutMask(seams[k], warped.mask);
         seams[k].release();
         blender->feed(fed, mask, warping.corners()[k]);
         progress.show(0.9 * static_cast<double>(k + 1) / static_cast<double>(layout.cameras.size()));

@@ -30,10 +30,15 @@ public:
         cv::Point corner;
     };
 
-    Warping(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep);
+    /// @param large warps with less memory, and pictures of any side; for a layout of GCPW's
+    Warping(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout, bool deep,
+            bool large = false);
 
     /// The k-th photograph of the layout. In their order, each once.
     Warped warp(size_t k);
+
+    /// The same of which only a reduced copy is among the photographs. @param photograph its image as the file has it
+    Warped warp(size_t k, const cv::Mat& photograph);
 
     const std::vector<cv::Point>& corners() const { return corners_; }
     const std::vector<cv::Size>& sizes() const { return sizes_; }
@@ -45,9 +50,36 @@ private:
     double scale_ = 1; ///< pixels of the picture per pixel of the photographs
     std::vector<cv::detail::CameraParams> cameras_;
     cv::Ptr<cv::detail::RotationWarper> warper_;
+    cv::Ptr<cv::gcpw::GcpwRotationWarper> large_; ///< the same; null if it need not be large
     std::vector<cv::Point> corners_;
     std::vector<cv::Size> sizes_;
 };
+
+/// A photograph and the pixels to be shown of it at the low resolution of the cuts.
+struct SeamCopy
+{
+    cv::Mat image; ///< CV_8UC3
+    cv::Mat mask;  ///< CV_8UC1, 255 where it is to be shown
+};
+
+/// Pixels of such a copy per pixel of a photograph. @param first of all photographs
+double seamScale(const StitchJob& job, const Photograph& first);
+
+SeamCopy seamCopy(const cv::Mat& photograph, double scale);
+
+/** @brief Which part of each photograph is shown, at the low resolution of the cuts. Estimates exposures on the way.
+@param copy_of the copy of a photograph by its number */
+std::vector<cv::UMat> findSeams(const Layout& layout, double seam_scale,
+                                const std::function<SeamCopy(size_t)>& copy_of, ProgressLine& progress);
+
+/// A warped photograph as blenders take it, CV_16SC3. @param deep 16 bits
+cv::Mat fedImage(const cv::Mat& image, bool deep);
+
+/// What is shown of a warped photograph. @param seam of findSeams()  @param shown its mask at the picture's resolution
+cv::Mat cutMask(const cv::UMat& seam, const cv::Mat& shown);
+
+/// What a blender has made, in the depth of the photographs.
+cv::Mat finished(const cv::Mat& blended, bool deep);
 
 /// Pixels of the picture per pixel of the photographs.
 double composeScale(const StitchJob& job, const std::vector<Photograph>& photographs, const Layout& layout);

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include "common/deep_zoom.hpp"
 #include "common/input_list.hpp"
 #include "common/output_plan.hpp"
 #include "common/paths.hpp"
 #include "common/program.hpp"
+#include "common/tile_rows.hpp"
 #include "report/report.hpp"
 
 namespace fs = std::filesystem;
@@ -26,6 +28,7 @@ const int PREVIEW_MESH = 16; ///< quads a side
 const int PREVIEW_SAMPLE_STEP = 3;
 
 const Range MEGAPIX = {LEAST_MEGAPIX, MOST_MEGAPIX, "million pixels"};
+const int MOST_ROWS = 1000000; ///< of tiles, of any picture
 const double UNLIMITED = std::numeric_limits<double>::infinity();
 
 const CommandLine::Texts TEXTS = {
@@ -52,6 +55,19 @@ void checkModelName(const std::string& option, const std::string& path)
                        ": a model is a file that ends in .yml, .xml or .json, with .gz behind it if compressed");
 }
 
+void planPicture(OutputPlan& plan, const std::string& path)
+{
+    if (endingOf(path) != ".dzi")
+    {
+        plan.writesPicture("--output", path);
+        return;
+    }
+    const DeepZoomFiles files(path);
+    plan.writesFile("--output", files.description);
+    plan.writesFile("--output", files.page);
+    plan.writesFolder("--output", files.tiles);
+}
+
 } // namespace
 
 std::string StitchJob::outputOf(int panorama) const
@@ -61,6 +77,17 @@ std::string StitchJob::outputOf(int panorama) const
     const fs::path path(output);
     return (path.parent_path() / (path.stem().string() + "-" + std::to_string(panorama) + path.extension().string()))
         .string();
+}
+
+std::string StitchJob::obstacleToTiles() const
+{
+    if (!report.empty() || !dump.empty() || !timelapse.empty())
+        return "--report, --dump and --timelapse need photographs and picture in memory";
+    if (!gcpw)
+        return "--method=none holds photographs and picture in memory, as OpenCV does";
+    if (setup.mode != "auto" && load_model.empty())
+        return "--mode=" + setup.mode + " holds all photographs in memory, as OpenCV does; --mode=auto does not";
+    return {};
 }
 
 std::string StitchJob::frameOf(const std::string& photograph) const
@@ -87,13 +114,23 @@ void StitchOptions::declareOutputs()
                   "number of the photograph that keeps its colours, from 1 on; -1 keeps the light of all");
     line_.group("Outputs");
     line_.text("-o,--output", job_.output, "FILE",
-               "the panorama: .jpg, .png, .tif, .webp, ..; - is standard output, as PNG. 16 bits a channel go into PNG "
+               "the panorama: .jpg, .png, .tif, .webp, ..; .dzi is a Deep Zoom pyramid with a page that shows it; - is "
+               "standard output, as PNG. 16 bits a channel go into PNG "
                "and TIFF, "
                "profile and EXIF of the photographs into all that take them");
     line_.choice("--crop", job_.crop, {"auto", "none"},
                  "auto: the largest rectangle without empty corners; none: everything");
     line_.choice("--panoramas", job_.panoramas, {"all", "largest"},
                  "where the photographs are of several scenes: all write one picture each, NAME, NAME-2, ..");
+    line_.choice(
+        "--tiled", job_.tiled, {"auto", "yes", "no"},
+        "make a picture larger than memory, in tiles, the same pixels: auto does for .dzi, and for .tif of more "
+        "than 200 million pixels of photographs");
+    line_.text("--tiles", job_.tiles, "A-B",
+               "of such a picture the rows of tiles A to B alone, from 1 on, or the share K/N, into a file that --join "
+               "takes; with --load_model. none: only --save_model");
+    line_.flag("--join", job_.join,
+               "put the files that --tiles has written together; give them instead of photographs");
     line_.flag("-p,--preview", job_.preview, "a small picture in a short time");
     declareFormat(line_, job_.format);
     line_.text("--report", job_.report, "FOLDER",
@@ -159,6 +196,36 @@ void StitchOptions::declareComposition()
                  "width of the mixing, percent of the picture's side; -1: five bands, as cv::Stitcher");
 }
 
+void StitchOptions::checkTiles() const
+{
+    const std::string ending = endingOf(job_.output);
+    const bool zoomable = ending == ".dzi";
+    if (job_.join && !zoomable && ending != ".tif" && ending != ".tiff")
+        throw WrongUse("--join writes .tif or .dzi; got --output=" + job_.output);
+    if (job_.tiled == "no" && zoomable)
+        throw WrongUse("--tiled=no: a Deep Zoom picture is made of tiles; choose .tif, .png or .jpg for --output");
+    const bool makes_tiles = job_.tiled == "yes" || !job_.tiles.empty();
+    if (makes_tiles && job_.tiles != "none" && !zoomable && ending != ".tif" && ending != ".tiff")
+        throw WrongUse("--tiled=yes and --tiles write .tif or .dzi; got --output=" + job_.output);
+    if (makes_tiles || zoomable)
+    {
+        const std::string obstacle = job_.obstacleToTiles();
+        if (!obstacle.empty())
+            throw WrongUse(obstacle + ", and " + (zoomable ? "a .dzi" : "a picture in tiles") +
+                           " is made without; leave one of them out");
+    }
+    const bool part = !job_.tiles.empty() && job_.tiles != "none";
+    if (part)
+        TileRows(job_.tiles).in(MOST_ROWS);
+    if (part && (zoomable || job_.tiled == "no" || job_.load_model.empty()))
+        throw WrongUse(
+            "--tiles=" + job_.tiles +
+            " writes a part of a tiled .tif, of a model: --load_model=FILE --output=part.tif; --join puts parts "
+            "together, also to a .dzi");
+    if (job_.tiles == "none" && job_.save_model.empty())
+        throw WrongUse("--tiles=none makes no picture, but a model: add --save_model=FILE");
+}
+
 void StitchOptions::checkValues() const
 {
     const StitchSetup& setup = job_.setup;
@@ -170,6 +237,7 @@ void StitchOptions::checkValues() const
         throw WrongUse(cv::format("--match_conf is a number from 0 to 1, or -1; got %g", setup.match_conf));
     if (!job_.gcpw && (!job_.save_model.empty() || !job_.load_model.empty()))
         throw WrongUse("--save_model and --load_model are for --method=gcpw: there is no model without it");
+    checkTiles();
     if (!job_.load_model.empty() && !job_.save_graph.empty())
         throw WrongUse("--save_graph needs matches, and with --load_model nothing is matched");
     checkModelName("--save_model", job_.save_model);
@@ -189,10 +257,11 @@ void StitchOptions::planOutputs(Console& console) const
             plan.reads(argument.substr(1));
     if (!job_.load_model.empty())
         plan.reads(job_.load_model);
-    plan.writesPicture("--output", job_.output);
-    if (job_.panoramas == "all" && job_.load_model.empty() && !isDevice(job_.output))
+    if (job_.tiles != "none")
+        planPicture(plan, job_.output);
+    if (job_.tiles.empty() && job_.panoramas == "all" && job_.load_model.empty() && !isDevice(job_.output))
         for (int i = 2; i <= static_cast<int>(job_.paths.size()) / 2; ++i) // a panorama takes two photographs
-            plan.writesPicture("--output", job_.outputOf(i));
+            planPicture(plan, job_.outputOf(i));
     if (!job_.timelapse.empty())
         for (const std::string& path : job_.paths)
             plan.writesPicture("--timelapse", job_.frameOf(path));
@@ -236,6 +305,15 @@ StitchJob StitchOptions::job(Console& console)
         arguments_.push_back("@" + list);
     job_.paths = listPhotographs(arguments_);
     const int count = static_cast<int>(job_.paths.size());
+    if (job_.join)
+    {
+        OutputPlan plan;
+        for (const std::string& path : job_.paths)
+            plan.reads(path);
+        planPicture(plan, job_.output);
+        plan.check(line_.force);
+        return job_;
+    }
     if (count < 2)
         throw WrongUse(
             "two photographs or more are needed: gcpw_stitch PHOTOGRAPH PHOTOGRAPH..; --help lists the options");

@@ -24,6 +24,9 @@ struct StitchJob
     std::string timelapse; ///< as_is, crop or empty
     std::string crop = "auto";
     std::string panoramas = "all"; ///< or largest
+    std::string tiled = "auto";    ///< yes, no: without holding photographs and picture in memory
+    std::string tiles;             ///< rows of tiles to be made, none or empty for all; see TileRows
+    bool join = false;             ///< the paths are files of --tiles
     bool gcpw = true;
     bool plain_colors = false; ///< exposures as --expos_comp says, instead of GCPW's colours
     bool skip_bad = false;
@@ -34,6 +37,9 @@ struct StitchJob
 
     /// The picture of the n-th panorama, from 1 on: pano.png, pano-2.png, ..
     std::string outputOf(int panorama) const;
+
+    /// Why the picture cannot be made in tiles; empty if it can.
+    std::string obstacleToTiles() const;
 
     /// The frame of a time lapse that a photograph gives, beside the output.
     std::string frameOf(const std::string& photograph) const;
@@ -56,6 +62,7 @@ private:
     void declareComposition();
     void makeSmall();
     void checkValues() const;
+    void checkTiles() const;
     void planOutputs(Console& console) const;
 
     CommandLine line_;

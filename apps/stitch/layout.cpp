@@ -6,6 +6,7 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#include "common/program.hpp"
 #include "stitch/counted_finder.hpp"
 #include "stitch/focal_start.hpp"
 #include "stitch/model.hpp"
@@ -49,7 +50,7 @@ std::vector<double> focalsOf(const std::vector<Photograph>& photographs)
 {
     std::vector<double> focals;
     for (const Photograph& photograph : photographs)
-        focals.push_back(photograph.metadata.focalLength(photograph.image.size()));
+        focals.push_back(photograph.metadata.focalLength(photograph.size()) * photograph.scale);
     return focals;
 }
 
@@ -85,7 +86,12 @@ void findCameras(const StitchJob& job, const std::vector<Photograph>& photograph
 {
     CameraOptions options = cameraOptions(job.setup, log);
     options.focal = focalsOf(photographs);
-    const CameraEstimate estimate = estimateCameras(bytesOf(photographs), options, progress.callback(FINDING));
+    const bool reduced = photographs[0].scale < 1; // to what the estimation would reduce them to
+    if (reduced)
+        options.workMegapix = MOST_MEGAPIX;
+    CameraEstimate estimate = estimateCameras(bytesOf(photographs), options, progress.callback(FINDING));
+    if (reduced)
+        estimate.work_scale = photographs[0].scale;
     releaseFreedMemory();
     layout.decisions = estimate.decisions;
     if (!estimate.ok())

@@ -50,7 +50,7 @@ void completeComponent(Rig& rig, size_t photographs, const std::string& path)
 /// Throws WrongUse unless a photograph, scaled, has the size of the one that was estimated from.
 void checkShape(const Photograph& photograph, cv::Size made, double scale, const std::string& path)
 {
-    const cv::Size size = photograph.image.size();
+    const cv::Size size = photograph.size();
     if (std::abs(size.width * scale - made.width) > ROUNDING || std::abs(size.height * scale - made.height) > ROUNDING)
         throw WrongUse(cv::format(
             "the model %s is of photographs of another size: %s is %d x %d px, and its cameras took pictures of the "
@@ -72,7 +72,7 @@ Rig modelFor(const std::vector<Photograph>& photographs, const std::string& path
     if (has_sizes)
     {
         // The first photograph gives one scale for all, as where the model was made.
-        const int width = photographs[static_cast<size_t>(rig.component[0])].image.cols;
+        const int width = photographs[static_cast<size_t>(rig.component[0])].size().width;
         const int made = rig.image_sizes[0].width;
         if (std::abs(width * rig.work_scale - made) > ROUNDING)
             rig.work_scale = static_cast<double>(made) / width;
@@ -93,7 +93,7 @@ void saveModel(const Layout& layout, const std::vector<Photograph>& photographs,
     if (rig.image_sizes.empty()) // where the refinement had no answer, and cameras are all there is
         for (const int index : rig.component)
         {
-            const cv::Size size = photographs[static_cast<size_t>(index)].image.size();
+            const cv::Size size = photographs[static_cast<size_t>(index)].size();
             rig.image_sizes.emplace_back(cvRound(size.width * rig.work_scale), cvRound(size.height * rig.work_scale));
         }
     writeModel(path, [&](const std::string& name) { rig.save(name); });

@@ -13,9 +13,12 @@
 #include "report/report.hpp"
 #include "stitch/compose.hpp"
 #include "stitch/frames.hpp"
+#include "stitch/join_parts.hpp"
 #include "stitch/model.hpp"
 #include "stitch/page.hpp"
 #include "stitch/report.hpp"
+#include "stitch/run_tiled.hpp"
+#include "stitch/stand_up.hpp"
 #include "stitch/two_photographs.hpp"
 
 namespace
@@ -52,32 +55,6 @@ bool isDeep(const std::vector<Photograph>& photographs)
 {
     return std::any_of(photographs.begin(), photographs.end(),
                        [](const Photograph& one) { return one.image.depth() == CV_16U; });
-}
-
-/** Turns a column's picture, which comes out turned to the left by 90 degrees, back.
-
-Cameras store photographs lying and note the turn of those that were taken upright. A note that lays photographs on their side that
-were stored upright is a stale one, as programs leave it that turn the pixels and forget the note: where such photographs stand in a
-column, it is undone. */
-void standUp(const Photograph& photograph, Composition& composition, std::vector<std::string>& decisions)
-{
-    const int orientation = photograph.metadata.orientation();
-    const int turned_right = orientation == 6 ? 1 : orientation == 8 ? 3 : 0;
-    const int noted = photograph.image.cols > photograph.image.rows ? turned_right : 0;
-    if (noted != 0)
-        decisions.push_back(
-            "the picture does without the turn that is noted in the photographs: it lays on their side what was "
-            "stored upright, and they stand in a column");
-    // Turned to the right once, and to the left as often as the note did to the right.
-    const int turns = (1 - noted + 4) % 4;
-    composition.turns = turns;
-    for (cv::Mat* image : {&composition.picture, &composition.shown})
-    {
-        if (turns == 1)
-            cv::rotate(*image, *image, cv::ROTATE_90_CLOCKWISE);
-        if (turns == 2)
-            cv::rotate(*image, *image, cv::ROTATE_180);
-    }
 }
 
 /// What of the picture is written.
@@ -166,7 +143,11 @@ private:
         seams_ = recordSeams(layout);
         Composition composition = compose(job_, photographs_, layout, deep, progress_, on_warped);
         if (layout.turned)
-            standUp(photographs_[0], composition, layout.decisions);
+        {
+            composition.turns = turnsToStand(photographs_[0], layout.decisions);
+            composition.picture = turned(composition.picture, composition.turns);
+            composition.shown = turned(composition.shown, composition.turns);
+        }
         return composition;
     }
 
@@ -219,6 +200,13 @@ StitchJob furtherJob(const StitchJob& job, int number)
 
 int runStitch(const StitchJob& job, const Console& console)
 {
+    if (job.join)
+    {
+        joinParts(job, console);
+        return EXIT_STITCHED;
+    }
+    if (isTiled(job))
+        return runTiled(job, console);
     ProgressLine progress(stagesOf(job), console.loudness() != Console::Loudness::QUIET);
     progress.begin(READING);
     Laps laps;

@@ -252,23 +252,40 @@ cv::gcpw::CameraOptions cameraOptions(const StitchSetup& setup, MatchLog& log)
     return options;
 }
 
-cv::Ptr<detail::Blender> blenderOf(const StitchSetup& setup, double area, bool deep)
+Blending blendingOf(const StitchSetup& setup, double area)
 {
-    typedef detail::Blender B;
     // As stitching_detailed: the strength is the width of what is blended, in percent of a side of the picture.
     const double width = std::sqrt(area) * setup.blend_strength / 100;
     const bool by_strength = setup.blend_strength >= 0;
+    Blending blending;
     if (setup.blend == "no" || (by_strength && width < 1))
-        return B::createDefault(B::NO);
+        return blending;
     if (setup.blend == "feather")
     {
-        const auto feather = cv::makePtr<detail::FeatherBlender>();
-        if (by_strength)
-            feather->setSharpness(static_cast<float>(1 / width));
-        return feather;
+        blending.kind = Blending::FEATHER;
+        blending.sharpness = by_strength ? static_cast<float>(1 / width) : detail::FeatherBlender().sharpness();
+        return blending;
     }
-    const int bands = by_strength ? std::max(1, cvCeil(std::log2(width) - 1)) : TiledBlender::USUAL_BANDS;
-    return cv::makePtr<TiledBlender>(bands, deep);
+    blending.kind = Blending::BANDS;
+    blending.bands = by_strength ? std::max(1, cvCeil(std::log2(width) - 1)) : TiledBlender::USUAL_BANDS;
+    return blending;
+}
+
+cv::Ptr<detail::Blender> blenderOf(const Blending& blending)
+{
+    if (blending.kind == Blending::NONE)
+        return detail::Blender::createDefault(detail::Blender::NO);
+    if (blending.kind == Blending::FEATHER)
+        return cv::makePtr<detail::FeatherBlender>(blending.sharpness);
+    return cv::makePtr<detail::MultiBandBlender>(0, blending.bands);
+}
+
+cv::Ptr<detail::Blender> blenderOf(const StitchSetup& setup, double area, bool deep)
+{
+    const Blending blending = blendingOf(setup, area);
+    if (blending.kind == Blending::BANDS)
+        return cv::makePtr<TiledBlender>(blending.bands, deep);
+    return blenderOf(blending);
 }
 
 cv::Ptr<detail::ExposureCompensator> compensatorOf(const StitchSetup& setup)

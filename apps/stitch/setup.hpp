@@ -62,6 +62,26 @@ cv::Ptr<cv::detail::SeamFinder> seamFinderOf(const StitchSetup& setup, const std
 std::string plainSeam(const std::string& seam);
 cv::Ptr<cv::detail::ExposureCompensator> compensatorOf(const StitchSetup& setup);
 
+/// How photographs are mixed along the cuts of a picture.
+struct Blending
+{
+    enum Kind
+    {
+        NONE,
+        FEATHER,
+        BANDS
+    };
+    Kind kind = NONE;
+    int bands = 0;       ///< of BANDS
+    float sharpness = 0; ///< of FEATHER: weight a pixel from the border
+};
+
+/// @param area px, of the picture
+Blending blendingOf(const StitchSetup& setup, double area);
+
+/// A blender of OpenCV's own for a part of such a picture.
+cv::Ptr<cv::detail::Blender> blenderOf(const Blending& blending);
+
 /** @brief The blender of a picture.
 @param area px, of the picture  @param deep for 16 bits, see compose() */
 cv::Ptr<cv::detail::Blender> blenderOf(const StitchSetup& setup, double area, bool deep);

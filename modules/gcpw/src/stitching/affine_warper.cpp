@@ -73,7 +73,7 @@ Rect AffineWarper::warpRoi(Size src_size, InputArray K, InputArray R)
 Rect AffineWarper::buildMaps(Size src_size, InputArray K, InputArray R, OutputArray xmap, OutputArray ymap)
 {
     const Rect roi = warpRoi(src_size, K, R);
-    const Matx33d image_from_canvas = imageFromCanvas(K, R);
+    const auto image_at = imageAt(K, R);
     xmap.create(roi.size(), CV_32FC1);
     ymap.create(roi.size(), CV_32FC1);
     Mat x_map = xmap.getMat();
@@ -81,11 +81,17 @@ Rect AffineWarper::buildMaps(Size src_size, InputArray K, InputArray R, OutputAr
     for (int y = 0; y < roi.height; ++y)
         for (int x = 0; x < roi.width; ++x)
         {
-            const Point2d p = through(image_from_canvas, Point2d(x + roi.x, y + roi.y));
-            x_map.at<float>(y, x) = static_cast<float>(p.x);
-            y_map.at<float>(y, x) = static_cast<float>(p.y);
+            const Point2f p = image_at(x + roi.x, y + roi.y);
+            x_map.at<float>(y, x) = p.x;
+            y_map.at<float>(y, x) = p.y;
         }
     return {roi.tl(), roi.br() - Point(1, 1)};
+}
+
+std::function<Point2f(int, int)> AffineWarper::imageAt(InputArray K, InputArray R) const
+{
+    const Matx33d image_from_canvas = imageFromCanvas(K, R);
+    return [image_from_canvas](int x, int y) { return Point2f(through(image_from_canvas, Point2d(x, y))); };
 }
 
 Point AffineWarper::warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode, OutputArray dst)

@@ -4,6 +4,7 @@
 #ifndef OPENCV_GCPW_AFFINE_WARPER_HPP
 #define OPENCV_GCPW_AFFINE_WARPER_HPP
 
+#include <functional>
 #include <opencv2/stitching/detail/warpers.hpp>
 
 namespace cv
@@ -28,6 +29,9 @@ public:
     Rect warpRoi(Size src_size, InputArray K, InputArray R) override;
     float getScale() const override { return scale_; }
     void setScale(float scale) override { scale_ = scale; }
+
+    /// What buildMaps() puts into a pixel of the canvas.
+    std::function<Point2f(int, int)> imageAt(InputArray K, InputArray R) const;
 
 private:
     Matx33d imageFromCanvas(InputArray K, InputArray R) const;

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include "rendering/extension.hpp"
+#include "rendering/remap_tiled.hpp"
 #include "stitching/affine_warper.hpp"
 #include "stitching/rig_model.hpp"
 #include "stitching/seam_rotation.hpp"
 #include "stitching/warp_maps.hpp"
-#include "rendering/extension.hpp"
-#include "rendering/remap_tiled.hpp"
 
 namespace cv
 {
@@ -21,6 +22,10 @@ namespace gcpw
 
 namespace
 {
+
+const int STRIP = 256;            ///< rows that warpWithMask() makes maps of at a time
+const int PIECE = 16384;          ///< columns of such a strip that cv::remap gets at once: less than it takes
+const int LARGEST_SIDE = 1000000; ///< px: more than photographs make together, less than what a bad camera asks for
 
 Mat floats(InputArray matrix, const char* name)
 {
@@ -33,11 +38,34 @@ Mat floats(InputArray matrix, const char* name)
 }
 
 /// A bad camera must not exhaust the memory.
-void checkRoi(Rect roi)
+void checkRoi(Rect roi, int most = MAX_REMAP_SIDE)
 {
-    if (roi.width <= 0 || roi.height <= 0 || roi.width > MAX_REMAP_SIDE || roi.height > MAX_REMAP_SIDE)
+    if (roi.width <= 0 || roi.height <= 0 || roi.width > most || roi.height > most)
         CV_Error(Error::StsOutOfRange,
-                 format("gcpw: the camera would make a picture of %d x %d px, more than %d px a side", roi.width, roi.height, MAX_REMAP_SIDE));
+                 format("gcpw: the camera would make a picture of %d x %d px, more than %d px a side", roi.width,
+                        roi.height, most));
+}
+
+/// Makes the maps of a rectangle of the canvas.
+typedef std::function<void(Rect, Mat&, Mat&)> MakeMaps;
+
+/// Warps an image and its mask strip by strip. @param inside receives where the maps lead to the image
+void warpStrips(const Mat& image, const Mat& mask, const MakeMaps& make_maps, Rect roi, Mat& picture, Mat& shown,
+                Mat& inside)
+{
+    Mat x_map;
+    Mat y_map;
+    for (int y = 0; y < roi.height; y += STRIP)
+        for (int x = 0; x < roi.width; x += PIECE)
+        {
+            const Rect part(x, y, std::min(PIECE, roi.width - x), std::min(STRIP, roi.height - y));
+            make_maps(part + roi.tl(), x_map, y_map);
+            Mat pixels = picture(part);
+            Mat pixels_shown = shown(part);
+            remap(image, pixels, x_map, y_map, INTER_LINEAR, BORDER_REFLECT);
+            remap(mask, pixels_shown, x_map, y_map, INTER_NEAREST, BORDER_CONSTANT);
+            Mat((x_map != -1) | (y_map != -1)).copyTo(inside(part));
+        }
 }
 
 /// What a call does: calls of one kind come in the order of the images.
@@ -214,6 +242,52 @@ Point GcpwRotationWarper::warp(InputArray src, InputArray K, InputArray R, int i
     if (kind == Call::Mask)
         impl_->forgetMaps();
     return impl_->roi.tl();
+}
+
+Point GcpwRotationWarper::warpWithMask(InputArray src, InputArray mask, InputArray K, InputArray R, OutputArray dst,
+                                       OutputArray dst_mask)
+{
+    const Mat image = src.getMat();
+    if (mask.size() != image.size() || mask.type() != CV_8UC1)
+        CV_Error(Error::StsUnmatchedSizes,
+                 format("gcpw: warpWithMask() takes a mask of type CV_8UC1 and of the image's size, %d x %d px",
+                        image.cols, image.rows));
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Image);
+    impl_->camera_call(K, R, Call::Mask);
+    const Mat camera(camera_call.R);
+    const bool plain = camera_call.index < 0;
+    const Rect roi =
+        plain ? impl_->base->warpRoi(image.size(), camera_call.K, camera) : impl_->maps(camera_call).roi(image.size());
+    checkRoi(roi, LARGEST_SIDE);
+    dst.create(roi.size(), image.type());
+    dst_mask.create(roi.size(), CV_8UC1);
+    Mat picture = dst.getMat();
+    Mat shown = dst_mask.getMat();
+    Mat inside(roi.size(), CV_8UC1);
+    if (plain)
+    {
+        const BaseMaps base(*impl_->base, image.size(), camera_call.K, camera);
+        warpStrips(
+            image, mask.getMat(), [&](Rect part, Mat& x_map, Mat& y_map) { base.build(part, x_map, y_map); }, roi,
+            picture, shown, inside);
+        return roi.tl();
+    }
+    const WarpMaps warp = impl_->maps(camera_call);
+    const BaseMaps base = warp.baseMaps(image.size());
+    warpStrips(
+        image, mask.getMat(), [&](Rect part, Mat& x_map, Mat& y_map) { warp.build(base, part, x_map, y_map); }, roi,
+        picture, shown, inside);
+    extendOutside(picture, inside);
+    return roi.tl();
+}
+
+Rect GcpwRotationWarper::largeRoi(Size src_size, InputArray K, InputArray R)
+{
+    const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Roi);
+    const Rect roi = camera_call.index < 0 ? impl_->base->warpRoi(src_size, camera_call.K, Mat(camera_call.R))
+                                           : impl_->maps(camera_call).roi(src_size);
+    checkRoi(roi, LARGEST_SIDE);
+    return roi;
 }
 
 void GcpwRotationWarper::warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,

@@ -17,32 +17,76 @@ namespace gcpw
 namespace
 {
 
-const int BAND = 1024;        ///< rows looked up at once, for the sake of memory
+const int BAND = 256;          ///< rows looked up at once, for the sake of memory
 const int BORDER_STEPS = 64;   ///< pieces of an image's side whose bend inside a piece is below a pixel
 const int FORWARD_STEP = 8;    ///< px between exact forward positions; both maps bend far more slowly
 const float TORN = 1000;       ///< px between neighbours of a base map: behind the camera, not in the picture
 const float BEYOND = 64;       ///< px that a base map is extended by; the mesh may reach a pixel of its own scale farther
 
-/// Bilinear in both base maps, extended linearly a little; (-1, -1) where they are torn or end.
-Vec2f readMaps(const Mat& x_map, const Mat& y_map, Point2d p)
+/// A part of a base warper's maps, read as if it were the whole.
+class MapWindow
 {
-    const int col = std::min(std::max(cvFloor(p.x), 0), x_map.cols - 2);
-    const int row = std::min(std::max(cvFloor(p.y), 0), x_map.rows - 2);
-    const float u = static_cast<float>(p.x - col);
-    const float v = static_cast<float>(p.y - row);
-    if (!(std::abs(u) < BEYOND && std::abs(v) < BEYOND))
-        return {-1, -1};
-    Vec2f result;
-    for (int k = 0; k < 2; ++k)
+public:
+    /// @param low, high canvas points between which it is going to be read
+    MapWindow(const BaseMaps& base, Point2d low, Point2d high) : whole_(base.whole())
     {
-        const Mat& map = k == 0 ? x_map : y_map;
-        const float* top = map.ptr<float>(row) + col;
-        const float* bottom = map.ptr<float>(row + 1) + col;
-        if (!(std::abs(top[0] - bottom[1]) < TORN && std::abs(top[1] - bottom[0]) < TORN))
-            return {-1, -1};
-        result[k] = (top[0] * (1 - u) + top[1] * u) * (1 - v) + (bottom[0] * (1 - u) + bottom[1] * u) * v;
+        const Point first = cellAt(low);
+        const Point last = cellAt(high);
+        window_ = Rect(first, last + Point(2, 2));
+        base.build(window_ + whole_.tl(), x_map_, y_map_);
     }
-    return result;
+
+    /// Bilinear in both maps, extended linearly a little; (-1, -1) where they are torn or end.
+    Vec2f at(Point2d canvas) const
+    {
+        const Point cell = cellAt(canvas);
+        const Point2d p = canvas - Point2d(whole_.tl());
+        const float u = static_cast<float>(p.x - cell.x);
+        const float v = static_cast<float>(p.y - cell.y);
+        if (!(std::abs(u) < BEYOND && std::abs(v) < BEYOND))
+            return {-1, -1};
+        Vec2f result;
+        for (int k = 0; k < 2; ++k)
+        {
+            const Mat& map = k == 0 ? x_map_ : y_map_;
+            const float* top = map.ptr<float>(cell.y - window_.y) + cell.x - window_.x;
+            const float* bottom = map.ptr<float>(cell.y - window_.y + 1) + cell.x - window_.x;
+            if (!(std::abs(top[0] - bottom[1]) < TORN && std::abs(top[1] - bottom[0]) < TORN))
+                return {-1, -1};
+            result[k] = (top[0] * (1 - u) + top[1] * u) * (1 - v) + (bottom[0] * (1 - u) + bottom[1] * u) * v;
+        }
+        return result;
+    }
+
+private:
+    /// The pixel of the whole from which a point is read to the right and below.
+    Point cellAt(Point2d canvas) const
+    {
+        const auto clamped = [](double value, int most)
+        { return static_cast<int>(std::min(std::max(std::floor(value), 0.0), most - 2.0)); };
+        return {clamped(canvas.x - whole_.x, whole_.width), clamped(canvas.y - whole_.y, whole_.height)};
+    }
+
+    Rect whole_;
+    Rect window_; ///< in the whole
+    Mat x_map_;
+    Mat y_map_;
+};
+
+/// The least and the greatest point of a map, where the mask has any. False if it has none.
+bool boundsOf(const Mat& map, const Mat& mask, Point2d& low, Point2d& high)
+{
+    low = Point2d(1e9, 1e9);
+    high = -low;
+    for (int y = 0; y < map.rows; ++y)
+        for (int x = 0; x < map.cols; ++x)
+            if (mask.at<uchar>(y, x))
+            {
+                const Vec2f& p = map.at<Vec2f>(y, x);
+                low = Point2d(std::min<double>(low.x, p[0]), std::min<double>(low.y, p[1]));
+                high = Point2d(std::max<double>(high.x, p[0]), std::max<double>(high.y, p[1]));
+            }
+    return low.x <= high.x;
 }
 
 /// The pixels of a rectangle that touch the box from `low` to `high`, however far that reaches.
@@ -130,8 +174,7 @@ Rect WarpMaps::roi(Size image) const
     return roi;
 }
 
-void WarpMaps::look(const MeshGrid& mesh, const Mat& base_x, const Mat& base_y, Point corner, Rect roi, Mat& x_map,
-                    Mat& y_map) const
+void WarpMaps::look(const MeshGrid& mesh, const BaseMaps& base, Rect roi, Mat& x_map, Mat& y_map) const
 {
     Mat reference;
     Mat mask;
@@ -139,6 +182,13 @@ void WarpMaps::look(const MeshGrid& mesh, const Mat& base_x, const Mat& base_y, 
     {
         const int height = std::min(BAND, roi.height - top);
         buildInverseMap(mesh, FrameScale(), FrameScale(), Rect(roi.x, roi.y + top, roi.width, height), reference, mask);
+        const auto baseCanvasAt = [this](Point2d lattice_px)
+        { return placed_.referencePoint(lattice_px) - Point2d(turn_px_, 0); };
+        Point2d low;
+        Point2d high;
+        if (!boundsOf(reference, mask, low, high))
+            continue;
+        const MapWindow window(base, baseCanvasAt(low), baseCanvasAt(high));
         parallel_for_(Range(0, height), [&](const Range& rows)
         {
             for (int y = rows.start; y < rows.end; ++y)
@@ -147,8 +197,7 @@ void WarpMaps::look(const MeshGrid& mesh, const Mat& base_x, const Mat& base_y, 
                     if (mask.at<uchar>(y, x) == 0)
                         continue;
                     const Vec2f lattice_px = reference.at<Vec2f>(y, x);
-                    const Point2d from = placed_.referencePoint(Point2d(lattice_px[0], lattice_px[1])) - Point2d(turn_px_, 0);
-                    const Vec2f found = readMaps(base_x, base_y, from - Point2d(corner));
+                    const Vec2f found = window.at(baseCanvasAt(Point2d(lattice_px[0], lattice_px[1])));
                     x_map.at<float>(top + y, x) = found[0];
                     y_map.at<float>(top + y, x) = found[1];
                 }
@@ -158,14 +207,21 @@ void WarpMaps::look(const MeshGrid& mesh, const Mat& base_x, const Mat& base_y, 
 
 void WarpMaps::build(Size image, Rect roi, Mat& x_map, Mat& y_map) const
 {
-    Mat base_x;
-    Mat base_y;
-    const Point corner = base_.buildMaps(image, K_, R_, base_x, base_y).tl();
+    build(baseMaps(image), roi, x_map, y_map);
+}
+
+BaseMaps WarpMaps::baseMaps(Size image) const
+{
+    return {base_, image, K_, R_};
+}
+
+void WarpMaps::build(const BaseMaps& base, Rect roi, Mat& x_map, Mat& y_map) const
+{
     x_map.create(roi.size(), CV_32FC1);
     y_map.create(roi.size(), CV_32FC1);
     x_map.setTo(Scalar(-1));
     y_map.setTo(Scalar(-1));
-    if (base_x.cols < 2 || base_x.rows < 2)
+    if (base.whole().width < 2 || base.whole().height < 2)
         return;
     const int turns = period_px_ > 0 ? 1 : 0;
     for (int k = -turns; k <= turns; ++k)
@@ -178,7 +234,7 @@ void WarpMaps::build(Size image, Rect roi, Mat& x_map, Mat& y_map) const
             continue;
         Mat x_part = x_map(covered - roi.tl());
         Mat y_part = y_map(covered - roi.tl());
-        look(mesh, base_x, base_y, corner, covered, x_part, y_part);
+        look(mesh, base, covered, x_part, y_part);
     }
 }
 

@@ -5,6 +5,7 @@
 #define OPENCV_GCPW_WARP_MAPS_HPP
 
 #include <opencv2/stitching/detail/warpers.hpp>
+#include "stitching/base_maps.hpp"
 #include "stitching/rig_model.hpp"
 
 namespace cv
@@ -28,12 +29,16 @@ public:
     /// Image position of every canvas pixel of roi; (-1, -1) beside the mesh. CV_32FC1 each.
     void build(Size image, Rect roi, Mat& x_map, Mat& y_map) const;
 
+    /// The same with baseMaps() at hand, for several parts of a roi.
+    void build(const BaseMaps& base, Rect roi, Mat& x_map, Mat& y_map) const;
+    BaseMaps baseMaps(Size image) const;
+
     /// Position of every image pixel in a picture whose top-left pixel is `corner`. CV_32FC1 each.
     void buildForward(Size image, Point corner, Mat& x_map, Mat& y_map) const;
 
 private:
     Point2d referenceCanvasAt(Point2f image_px) const;
-    void look(const MeshGrid& mesh, const Mat& base_x, const Mat& base_y, Point corner, Rect roi, Mat& x_map, Mat& y_map) const;
+    void look(const MeshGrid& mesh, const BaseMaps& base, Rect roi, Mat& x_map, Mat& y_map) const;
 
     cv::detail::RotationWarper& base_;
     PlacedMesh placed_;

@@ -85,6 +85,27 @@ public:
     Point warp(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
                OutputArray dst) CV_OVERRIDE;
 
+    /** @brief Warps an image and its mask at once, with less memory: the same pixels as warp() with INTER_LINEAR and
+    BORDER_REFLECT, and of the mask with INTER_NEAREST and BORDER_CONSTANT.
+
+    No maps of the whole picture are made, but of some hundred rows at a time, and the picture may have sides of more than 32766 px.
+    @param src of any type that cv::remap takes
+    @param mask CV_8UC1 of src's size
+    @param K, R the image's camera
+    @param dst of src's type and the size that largeRoi() gives
+    @param dst_mask CV_8UC1 of the same size
+    @return canvas position of their top-left pixel
+    @throws cv::Exception StsUnmatchedSizes if the mask is of another size */
+    Point warpWithMask(InputArray src, InputArray mask, InputArray K, InputArray R, OutputArray dst,
+                       OutputArray dst_mask);
+
+    /** @brief warpRoi() without a limit of 32766 px: what warpWithMask() makes.
+    @param src_size of the image
+    @param K, R its camera
+    @return the smallest rectangle with all pixels that the image covers
+    @throws cv::Exception StsOutOfRange if a side would exceed a million px */
+    Rect largeRoi(Size src_size, InputArray K, InputArray R);
+
     /** @brief Undoes warp().
     @param src picture of the canvas, of the size that warpRoi() gives for dst_size
     @param K, R the image's camera
