@@ -166,7 +166,7 @@ std::string makeOne(const StitchJob& job, const Console& console, std::vector<st
     const std::vector<Photograph>& photographs = reduced.photographs;
     if (!job.load_model.empty() && photographs.size() < job.paths.size())
         throw FileTrouble("a model needs all photographs that it was made of, and some of them cannot be read");
-    MatchLog log(static_cast<int>(photographs.size()), [&](double share) { progress.show(share); });
+    MatchLog log(static_cast<int>(photographs.size()));
     Layout layout = layOut(job, photographs, log, progress);
     rest.clear();
     std::vector<std::string> names;
@@ -194,7 +194,7 @@ std::string makeOne(const StitchJob& job, const Console& console, std::vector<st
     }
     progress.begin(SEAMS);
     std::vector<cv::UMat> seams =
-        findSeams(layout, reduced.seam_scale, [&](size_t i) { return reduced.seam_copies[i]; });
+        findSeams(layout, reduced.seam_scale, [&](size_t i) { return reduced.seam_copies[i]; }, progress);
     reduced.seam_copies.clear();
     const bool deep = reduced.deep && endingOf(job.output) != ".dzi";
     Warping warping(job, photographs, layout, deep, true);
