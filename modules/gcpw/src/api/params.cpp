@@ -104,7 +104,7 @@ Params::Params()
     pyramidLevels = 4;
     maxIterations = 10;
     stopMotion = 0.05;
-    stopGain = 0.002;
+    stopGain = 0.01;
     contrastFloor = 0.03;
     robustScale = 2;
     gainSupport = 3;
