@@ -184,7 +184,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     /// Typical: 0.01..0.2. default 0.05
     CV_PROP_RW double stopMotion;
     /// A level ends when an iteration lowers the energy by less than this ratio, 0..1. 0: energy alone never ends it. Larger
-    /// values stop sooner. Typical: 0..0.01. default 0.01
+    /// values stop sooner. Typical: 0..0.02. default 0.01
     CV_PROP_RW double stopGain;
     //! @}
 
