@@ -82,7 +82,14 @@ ColorCurves overlapCurves(const cv::Mat& source, const cv::Mat& target, const cv
         return ColorCurves();
     const cv::gcpw::PairCanvas canvas = cv::gcpw::renderPair(alignment, source, target);
     const cv::Mat overlap = canvas.source_mask & canvas.target_mask;
-    return fitColorCurves(canvas.source, overlap, canvas.target, overlap);
+    cv::Mat from = canvas.source;
+    cv::Mat to = canvas.target;
+    if (from.depth() == CV_16U) // both then
+    {
+        from.convertTo(from, CV_8U, 1.0 / 257);
+        to.convertTo(to, CV_8U, 1.0 / 257);
+    }
+    return fitColorCurves(from, overlap, to, overlap);
 }
 
 } // namespace evaluation

@@ -22,10 +22,10 @@ Maps, colours and cuts are made once, from the rig and its first frames. Then ev
 others. Cuts stay where they are and are feathered, not blended in bands: for video, in which a cut that moves would flicker.
 
 @code
-const cv::gcpw::Rig rig = cv::gcpw::Rig::load("rig.yml.gz");
-const cv::gcpw::FrameComposer composer(rig, cv::makePtr<cv::SphericalWarper>(), frames);
-while (grab(frames))
-    composer.compose(frames, panorama);
+const cv::gcpw::Rig saved = cv::gcpw::Rig::load("rig.yml.gz");
+const cv::gcpw::FrameComposer composer(saved, cv::makePtr<cv::SphericalWarper>(), photographs);
+while (nextFrames(photographs)) // yours
+    composer.compose(photographs, panorama);
 @endcode
 
 compose() may be called by several threads at once. */
