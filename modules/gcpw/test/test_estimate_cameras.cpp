@@ -162,7 +162,9 @@ TEST(Gcpw_EstimateCameras, progress_tells_each_photograph_and_each_pair_and_chan
     {
         fractions[told[i].first].insert(told[i].second);
         if (i > 0 && told[i].first == told[i - 1].first)
+        {
             EXPECT_GE(told[i].second, told[i - 1].second) << "time runs backwards";
+        }
     }
     EXPECT_EQ(fractions["features"].size(), size_t(4)) << "none, and each of three photographs";
     EXPECT_EQ(fractions["cameras"].size(), size_t(5)) << "none, each of three pairs, and the cameras";
