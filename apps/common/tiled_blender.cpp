@@ -5,16 +5,12 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include "common/grown.hpp"
 
 namespace
 {
 
 const int TILE = 1024; ///< px; a multiple of the coarsest band's pixel, so that its grid is the same in all tiles
-
-cv::Rect grown(cv::Rect rect, int margin)
-{
-    return {rect.x - margin, rect.y - margin, rect.width + 2 * margin, rect.height + 2 * margin};
-}
 
 } // namespace
 

@@ -79,6 +79,15 @@ std::string StitchJob::outputOf(int panorama) const
         .string();
 }
 
+StitchJob StitchJob::further(int panorama) const
+{
+    StitchJob job = *this;
+    job.output = outputOf(panorama);
+    job.report = job.dump = job.save_model = job.save_graph = job.timelapse = std::string();
+    job.params.referenceImage = -1;
+    return job;
+}
+
 std::string StitchJob::obstacleToTiles() const
 {
     if (!report.empty() || !dump.empty() || !timelapse.empty())

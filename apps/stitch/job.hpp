@@ -38,6 +38,9 @@ struct StitchJob
     /// The picture of the n-th panorama, from 1 on: pano.png, pano-2.png, ..
     std::string outputOf(int panorama) const;
 
+    /// The job of a further panorama, from 2 on: its picture alone.
+    StitchJob further(int panorama) const;
+
     /// Why the picture cannot be made in tiles; empty if it can.
     std::string obstacleToTiles() const;
 

@@ -19,6 +19,7 @@
 #include "stitch/report.hpp"
 #include "stitch/run_tiled.hpp"
 #include "stitch/stand_up.hpp"
+#include "stitch/steps.hpp"
 #include "stitch/two_photographs.hpp"
 
 namespace
@@ -86,7 +87,7 @@ public:
         stages_.read = read_ms;
         MatchLog log(static_cast<int>(photographs_.size()));
         Layout layout = layOut(job_, photographs_, log, progress_);
-        writeGraph(log);
+        writeGraph(job_, photographs_, log);
         Composition composition;
         stages_.cameras = laps_.next();
         if (layout.ok())
@@ -104,8 +105,7 @@ public:
         if (!job_.report.empty())
             report::write(job_.report, reportText(job_, paths, layout, stages_, picture.size()),
                           [&] { return pageOf(job_, photographs_, layout, composition, seams_, stages_); });
-        for (const std::string& decision : layout.decisions)
-            console_.tell(decision);
+        tellDecisions(layout, console_);
         if (!layout.ok())
             return false;
         write(layout, picture);
@@ -121,15 +121,6 @@ private:
     {
         return photographs_.size() == 2 && job_.gcpw && job_.setup.mode == "auto" && job_.save_model.empty() &&
                job_.dump.empty() && job_.timelapse.empty();
-    }
-
-    void writeGraph(const MatchLog& log) const
-    {
-        std::vector<std::string> names;
-        for (const Photograph& photograph : photographs_)
-            names.push_back(photograph.path);
-        if (!job_.save_graph.empty())
-            writeText(job_.save_graph, log.graph(names, job_.setup.conf_thresh));
     }
 
     Composition composed(Layout& layout)
@@ -186,16 +177,6 @@ std::vector<Photograph> without(const std::vector<Photograph>& photographs, cons
     return rest;
 }
 
-/// The job of a further panorama: its picture alone.
-StitchJob furtherJob(const StitchJob& job, int number)
-{
-    StitchJob further = job;
-    further.output = job.outputOf(number);
-    further.report = further.dump = further.save_model = further.save_graph = further.timelapse = std::string();
-    further.params.referenceImage = -1;
-    return further;
-}
-
 } // namespace
 
 int runStitch(const StitchJob& job, const Console& console)
@@ -211,8 +192,7 @@ int runStitch(const StitchJob& job, const Console& console)
     progress.begin(READING);
     Laps laps;
     const std::vector<Photograph> photographs = readAll(job.paths, job.skip_bad, console, progress);
-    if (!job.load_model.empty() && photographs.size() < job.paths.size())
-        throw FileTrouble("a model needs all photographs that it was made of, and some of them cannot be read");
+    requireAllOfModel(job, photographs);
     Panorama largest(job, photographs, progress, console);
     if (!largest.make(laps.next()))
     {
@@ -223,13 +203,13 @@ int runStitch(const StitchJob& job, const Console& console)
     const bool go_on = job.panoramas == "all" && job.load_model.empty() && !isDevice(job.output);
     for (int number = 2; go_on && rest.size() >= 2; ++number)
     {
-        const StitchJob further = furtherJob(job, number);
+        const StitchJob further = job.further(number);
         Panorama next(further, rest, progress, console);
         if (!next.make(0))
             break;
         rest = without(rest, next.kept());
     }
     for (const Photograph& photograph : rest)
-        console.tell("dropped " + photograph.path + ": it matches none of the others well enough");
+        tellDropped(photograph.path, console);
     return EXIT_STITCHED;
 }

@@ -18,6 +18,7 @@
 #include "stitch/model.hpp"
 #include "stitch/reduced_photographs.hpp"
 #include "stitch/stand_up.hpp"
+#include "stitch/steps.hpp"
 
 namespace
 {
@@ -147,15 +148,14 @@ void write(const StitchJob& job, const CanvasPicture& picture, cv::Rect shown, i
     sink->finish();
 }
 
-void tellDecisions(const Layout& layout, const Console& console)
+void tellAll(const Layout& layout, const Console& console)
 {
-    for (const std::string& decision : layout.decisions)
-        console.tell(decision);
+    tellDecisions(layout, console);
     if (!layout.rig.alignment.report().message.empty())
         console.tell(layout.rig.alignment.report().message);
 }
 
-/// Makes and writes one panorama. @param kept gets the photographs in it @return why there is none, empty if there is
+/// Makes and writes one panorama. @param rest gets the photographs that are not in it @return why there is none, empty if there is
 std::string makeOne(const StitchJob& job, const Console& console, std::vector<std::string>& rest)
 {
     cv::TickMeter clock;
@@ -164,20 +164,14 @@ std::string makeOne(const StitchJob& job, const Console& console, std::vector<st
     progress.begin(READING);
     ReducedPhotographs reduced = readReduced(job, console, progress);
     const std::vector<Photograph>& photographs = reduced.photographs;
-    if (!job.load_model.empty() && photographs.size() < job.paths.size())
-        throw FileTrouble("a model needs all photographs that it was made of, and some of them cannot be read");
+    requireAllOfModel(job, photographs);
     MatchLog log(static_cast<int>(photographs.size()));
     Layout layout = layOut(job, photographs, log, progress);
     rest.clear();
-    std::vector<std::string> names;
     for (size_t i = 0; i < photographs.size(); ++i)
-    {
-        names.push_back(photographs[i].path);
         if (std::find(layout.component.begin(), layout.component.end(), static_cast<int>(i)) == layout.component.end())
             rest.push_back(photographs[i].path);
-    }
-    if (!job.save_graph.empty())
-        writeText(job.save_graph, log.graph(names, job.setup.conf_thresh));
+    writeGraph(job, photographs, log);
     if (!layout.ok())
     {
         ProgressLine::erase();
@@ -188,7 +182,7 @@ std::string makeOne(const StitchJob& job, const Console& console, std::vector<st
     if (job.tiles == "none")
     {
         ProgressLine::erase();
-        tellDecisions(layout, console);
+        tellAll(layout, console);
         console.tell(job.save_model + cv::format(": model of %zu images", layout.component.size()));
         return {};
     }
@@ -216,7 +210,7 @@ std::string makeOne(const StitchJob& job, const Console& console, std::vector<st
     write(job, picture, shown, deep ? CV_16UC3 : CV_8UC3, sharedMetadata(photographs, layout.component, console),
           progress);
     ProgressLine::erase();
-    tellDecisions(layout, console);
+    tellAll(layout, console);
     clock.stop();
     console.tell(cv::format("%s: %d x %d of %zu images, %d ms", job.output.c_str(), shown.width, shown.height,
                             layout.component.size(), cvRound(clock.getTimeMilli())));
@@ -249,9 +243,9 @@ int runTiled(const StitchJob& job, const Console& console)
         std::vector<std::string> rest;
         if (number > 1)
         {
-            present.output = job.outputOf(number);
-            present.save_model = present.save_graph = std::string();
-            present.params.referenceImage = -1;
+            const std::vector<std::string> paths = present.paths;
+            present = job.further(number);
+            present.paths = paths;
         }
         const std::string trouble = makeOne(present, console, rest);
         if (!trouble.empty() && number == 1)
@@ -264,6 +258,6 @@ int runTiled(const StitchJob& job, const Console& console)
         present.paths = rest;
     }
     for (const std::string& path : present.paths)
-        console.tell("dropped " + path + ": it matches none of the others well enough");
+        tellDropped(path, console);
     return EXIT_STITCHED;
 }

@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 #include <unistd.h>
 #include "common/exit_code.hpp"
+#include "common/grown.hpp"
 #include "common/paths.hpp"
 
 namespace
@@ -27,11 +28,6 @@ int blocksOf(int side)
     return (side + BLOCK - 1) / BLOCK;
 }
 
-cv::Rect grown(cv::Rect rect, int margin)
-{
-    return {rect.x - margin, rect.y - margin, rect.width + 2 * margin, rect.height + 2 * margin};
-}
-
 int openNameless(const std::string& folder)
 {
 #ifdef O_TMPFILE
@@ -39,7 +35,7 @@ int openNameless(const std::string& folder)
     if (nameless >= 0)
         return nameless;
 #endif
-    std::string name = folder + "/.gcpw-warped-XXXXXX";
+    std::string name = folder + "/.gcpw-warped-" + std::string(6, 'X'); // which mkstemp() replaces
     const int file = mkstemp(&name[0]);
     if (file >= 0)
         unlink(name.c_str());

@@ -4,18 +4,12 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 #include "common/tiled_blender.hpp"
+#include "fed.hpp"
 #include "scratch_folder.hpp"
 #include "stitch/canvas_picture.hpp"
 
 namespace
 {
-
-struct Fed
-{
-    cv::Mat image;
-    cv::Mat mask;
-    cv::Point corner;
-};
 
 /// Noise of 8 or 13 bits, with detail of all sizes.
 cv::Mat noise(cv::Size size, int seed, bool deep)
@@ -49,14 +43,6 @@ std::vector<Fed> threePictures(bool deep)
         fed.push_back(one);
     }
     return fed;
-}
-
-cv::Rect canvasOf(const std::vector<Fed>& fed)
-{
-    cv::Rect canvas;
-    for (const Fed& one : fed)
-        canvas |= cv::Rect(one.corner, one.image.size());
-    return canvas;
 }
 
 Blending blendingOf(Blending::Kind kind)

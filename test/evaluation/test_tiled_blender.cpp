@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 #include "common/tiled_blender.hpp"
+#include "fed.hpp"
 
 namespace
 {
@@ -25,13 +26,6 @@ cv::Mat picture(cv::Size size, int seed)
     return cv::min(cv::max(result, 0), 255);
 }
 
-struct Fed
-{
-    cv::Mat image;
-    cv::Mat mask;
-    cv::Point corner;
-};
-
 /// Three pictures side by side, each with a mask that ends in the next.
 std::vector<Fed> threePictures()
 {
@@ -46,14 +40,6 @@ std::vector<Fed> threePictures()
         fed.push_back(one);
     }
     return fed;
-}
-
-cv::Rect canvasOf(const std::vector<Fed>& fed)
-{
-    cv::Rect canvas;
-    for (const Fed& one : fed)
-        canvas |= cv::Rect(one.corner, one.image.size());
-    return canvas;
 }
 
 void blendWith(cv::detail::Blender& blender, cv::Mat& blended, cv::Mat& mask)

@@ -10,7 +10,7 @@ import re
 import subprocess
 import sys
 
-from harness import Bench
+from harness import main
 
 SKIPPED = 77  # what ctest takes for a test that did not run
 LINE = re.compile(r"\r([a-z ]+?) +(\d+) %")
@@ -68,9 +68,4 @@ if __name__ == "__main__":
     if not hasattr(os, "openpty"):
         print("This system has no terminals to look at.")
         sys.exit(SKIPPED)
-    BENCH = Bench(*sys.argv[1:4])
-    test(BENCH)
-    for fault in BENCH.faults:
-        print(fault)
-    print(f"{len(BENCH.faults)} faults")
-    sys.exit(1 if BENCH.faults else 0)
+    main(test)

@@ -9,6 +9,7 @@
 #include "registration/pair_matcher.hpp"
 #include "registration/straight_lines.hpp"
 #include "api/result.hpp"
+#include "features_scene.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {

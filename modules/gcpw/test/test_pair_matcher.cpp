@@ -4,6 +4,7 @@
 #include "test_precomp.hpp"
 
 #include "registration/pair_matcher.hpp"
+#include "features_scene.hpp"
 #include "scene.hpp"
 
 namespace opencv_test { namespace {

@@ -48,18 +48,5 @@ void prepareCorners(const Mat& image, const Mat& mask, const Params& params, Fea
     features.pyramid = GrayPyramid(gray, mask, TRACKING_LEVELS);
 }
 
-Features detectFeatures(const Mat& image, const Mat& mask, Size2d to_reference, const Params& params)
-{
-    return knownFeatures(image, mask, to_reference, keypointsOf(image, mask, to_reference, params));
-}
-
-Features knownFeatures(const Mat& image, const Mat& mask, Size2d to_reference, const Keypoints& keypoints)
-{
-    Features features;
-    features.keypoints = keypoints;
-    features.segments = segmentsOf(image, mask, to_reference);
-    return features;
-}
-
 } // namespace gcpw
 } // namespace cv

@@ -36,12 +36,6 @@ Keypoints keypointsOf(const Mat& image, const Mat& mask, Size2d to_reference, co
 @param image CV_8UC3, the reference pixels themselves  @param mask CV_8UC1 of its size, may be empty */
 void prepareCorners(const Mat& image, const Mat& mask, const Params& params, Features& features);
 
-/// Keypoints and segments of an image; the arguments of both.
-Features detectFeatures(const Mat& image, const Mat& mask, Size2d to_reference, const Params& params);
-
-/// The same where the keypoints are known, in reference pixels.
-Features knownFeatures(const Mat& image, const Mat& mask, Size2d to_reference, const Keypoints& keypoints);
-
 } // namespace gcpw
 } // namespace cv
 

@@ -42,7 +42,8 @@ struct Template
     float slope_x[WINDOW][WINDOW]; ///< gradient, without its parts along 1 and value
     float slope_y[WINDOW][WINDOW];
     double squares = 0; ///< of value
-    Matx22d inverse;    ///< of the sum of gradient products
+    Matx22d products;   ///< sum of gradient products
+    Matx22d inverse;    ///< of it, where isTextured()
 };
 
 GCPW_WIDE_VECTORS void takeWindow(const WindowPixels& w, Template& t)
@@ -96,13 +97,13 @@ GCPW_WIDE_VECTORS void takeWindow(const WindowPixels& w, Template& t)
             xy.value[x] += gx * gy;
             yy.value[x] += gy * gy;
         }
-    t.inverse = Matx22d(xx.total(), xy.total(), xy.total(), yy.total());
+    t.products = Matx22d(xx.total(), xy.total(), xy.total(), yy.total());
 }
 
 /// Inverts the gradient products; false where the window has no texture in some direction.
 bool isTextured(Template& t)
 {
-    const Matx22d h = t.inverse;
+    const Matx22d& h = t.products;
     const double half_trace = 0.5 * (h(0, 0) + h(1, 1));
     const double determinant = h(0, 0) * h(1, 1) - h(0, 1) * h(0, 1);
     const double smaller = half_trace - std::sqrt(std::max(half_trace * half_trace - determinant, 0.0));

@@ -17,7 +17,6 @@ namespace gcpw
 namespace
 {
 
-const double SEAM_MEGAPIX = 0.1;  ///< graph cut takes seconds at more, and a seam needs no more
 const double GHOST_MEGAPIX = 0.2; ///< shows signs and lamp posts, which are a few pixels wide there
 const int BANDS = 5;
 /// The blender adds up weighted values of two pictures in 15 bits and a sign, and rounds downwards in every band: it gets 13 bits, of

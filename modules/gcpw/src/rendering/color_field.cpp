@@ -75,7 +75,6 @@ void mapPixels(ColorMap map, const ColorMap& slope, Pixel* pixels, int count)
         mapPixel(map, pixels[k]);
 }
 
-#if CV_SIMD128
 /// The lower or the upper half of eight numbers.
 v_float32x4 half(const v_uint16x8& numbers, int which)
 {
@@ -132,7 +131,6 @@ void mapPixels(const ColorMap& map, const ColorMap& slope, Vec3b* pixels, int co
     for (int k = 0; k < count; k += LANES)
         mapLanes(maps, steps, pixels + k, std::min(LANES, count - k));
 }
-#endif
 
 /// Between which quad centres a point lies; -1 and the last one are beyond the outer centres. NaN counts as 0.
 int spanOf(float quads, int count)

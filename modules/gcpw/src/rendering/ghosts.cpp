@@ -24,9 +24,8 @@ const double CONTRAST = 8;      ///< gray levels, deviation of a patch: more tha
 const double EDGE = 12;
 const double POINT = 6;
 const double PER_PX = 0.25; ///< makes that mean of OpenCV's tensor, whose Sobel sums are divided by 4 PATCH
-const double AGREES = 0.7;  ///< correlation of what is aligned, though light and noise differ
+const double AGREES = 0.6;  ///< correlation from which on a patch may be what lies there, in other light or turned
 const double FOUND = 0.85;  ///< correlation of the same thing
-const double BETTER = 0.25; ///< of what is found than of what is there
 const double RIVAL = 0.05;  ///< less than what is found: it could as well be there
 const int LEEWAY = 3;       ///< px around what is found, in which rivals are the same peak; ghosts are further away
 const int BACK = 1;         ///< px, of the way back
@@ -106,12 +105,12 @@ Mat correlate(const Side& from, Point place, const Side& to, Rect window)
 }
 
 /// Whether a patch has texture and what the other picture has in its place is something else.
-/// @param here the correlation there
-bool disagrees(const Side& from, Point place, const Side& to, Patch& patch, double& here)
+bool disagrees(const Side& from, Point place, const Side& to, Patch& patch)
 {
     // Only what both have can be there twice, or nowhere.
     if (!from.whole.at<uchar>(place) || !to.whole.at<uchar>(place) || !patchAt(from, place, patch))
         return false;
+    double here = -1;
     const Mat around = correlate(from, place, to, square(place, 1) & Rect(Point(), to.gray.size()));
     minMaxLoc(around, nullptr, &here);
     return here <= AGREES;
@@ -148,9 +147,7 @@ void searchRow(const Side& from, const Side& to, int y, int reach, std::vector<G
         Patch patch;
         Point there;
         Point back;
-        double here = -1;
-        if (!disagrees(from, Point(x, y), to, patch, here) || here > FOUND - BETTER ||
-            !search(from, patch, to, reach, there))
+        if (!disagrees(from, Point(x, y), to, patch) || !search(from, patch, to, reach, there))
             continue;
         Patch other = patch;
         other.place = there;

@@ -11,6 +11,8 @@ namespace cv
 namespace gcpw
 {
 
+const double SEAM_MEGAPIX = 0.1; ///< of what cuts are found in, as cv::Stitcher has it: graph cut takes seconds at more
+
 /** @brief How much a cut between two pictures shows at each pixel, gray levels.
 
     C = sqrt(G * (dY^2 + (dCr^2 + dCb^2) / 2 + |grad dY|^2))

@@ -13,6 +13,7 @@
 #include "rendering/color_field.hpp"
 #include "rendering/feather.hpp"
 #include "rendering/remap_tiled.hpp"
+#include "rendering/seam_cut.hpp"
 #include "stitching/rig_colors.hpp"
 #include "stitching/warper_names.hpp"
 
@@ -24,7 +25,6 @@ namespace gcpw
 namespace
 {
 
-const double SEAM_MEGAPIX = 0.1; ///< as cv::Stitcher has it
 const double FEATHER = 0.01;     ///< of the longer side of a frame: hides a step of colour, and doubles little
 const int BAND = 32;             ///< rows that are made at once: they stay in the cache
 

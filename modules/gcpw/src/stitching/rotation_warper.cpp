@@ -115,6 +115,15 @@ public:
         return {*base, model->place(camera_call.index, base->getScale()), camera_call.K, camera_call.R, model->items()[camera_call.index].seam_rotation_rad};
     }
 
+    /// Where an image lies on the canvas. @param most px a side that are not refused
+    Rect roiOf(const CameraCall& camera_call, Size size, int most)
+    {
+        const Rect rect = camera_call.index < 0 ? base->warpRoi(size, camera_call.K, Mat(camera_call.R))
+                                                : maps(camera_call).roi(size);
+        checkRoi(rect, most);
+        return rect;
+    }
+
     /// What warp() is called with. Masks have one channel; where the photographs have one too, the flags with which
     /// cv::Stitcher and similar loops warp masks tell them apart.
     Call kindOf(int channels, int interp_mode, int border_mode)
@@ -202,10 +211,7 @@ Point2f GcpwRotationWarper::warpPointBackward(const Point2f& pt, InputArray K, I
 Rect GcpwRotationWarper::warpRoi(Size src_size, InputArray K, InputArray R)
 {
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Roi);
-    const Rect roi = camera_call.index < 0 ? impl_->base->warpRoi(src_size, camera_call.K, Mat(camera_call.R))
-                                       : impl_->maps(camera_call).roi(src_size);
-    checkRoi(roi);
-    return roi;
+    return impl_->roiOf(camera_call, src_size, MAX_REMAP_SIDE);
 }
 
 Rect GcpwRotationWarper::buildMaps(Size src_size, InputArray K, InputArray R, OutputArray xmap, OutputArray ymap)
@@ -254,19 +260,15 @@ Point GcpwRotationWarper::warpWithMask(InputArray src, InputArray mask, InputArr
                         image.cols, image.rows));
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Image);
     impl_->camera_call(K, R, Call::Mask);
-    const Mat camera(camera_call.R);
-    const bool plain = camera_call.index < 0;
-    const Rect roi =
-        plain ? impl_->base->warpRoi(image.size(), camera_call.K, camera) : impl_->maps(camera_call).roi(image.size());
-    checkRoi(roi, LARGEST_SIDE);
+    const Rect roi = impl_->roiOf(camera_call, image.size(), LARGEST_SIDE);
     dst.create(roi.size(), image.type());
     dst_mask.create(roi.size(), CV_8UC1);
     Mat picture = dst.getMat();
     Mat shown = dst_mask.getMat();
     Mat inside(roi.size(), CV_8UC1);
-    if (plain)
+    if (camera_call.index < 0)
     {
-        const BaseMaps base(*impl_->base, image.size(), camera_call.K, camera);
+        const BaseMaps base(*impl_->base, image.size(), camera_call.K, Mat(camera_call.R));
         warpStrips(
             image, mask.getMat(), [&](Rect part, Mat& x_map, Mat& y_map) { base.build(part, x_map, y_map); }, roi,
             picture, shown, inside);
@@ -284,10 +286,7 @@ Point GcpwRotationWarper::warpWithMask(InputArray src, InputArray mask, InputArr
 Rect GcpwRotationWarper::largeRoi(Size src_size, InputArray K, InputArray R)
 {
     const Impl::CameraCall camera_call = impl_->camera_call(K, R, Call::Roi);
-    const Rect roi = camera_call.index < 0 ? impl_->base->warpRoi(src_size, camera_call.K, Mat(camera_call.R))
-                                           : impl_->maps(camera_call).roi(src_size);
-    checkRoi(roi, LARGEST_SIDE);
-    return roi;
+    return impl_->roiOf(camera_call, src_size, LARGEST_SIDE);
 }
 
 void GcpwRotationWarper::warpBackward(InputArray src, InputArray K, InputArray R, int interp_mode, int border_mode,
